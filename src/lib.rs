@@ -1,0 +1,12 @@
+//! Guaranteed-quality, certified triangle meshes of planar straight-line graphs.
+
+pub use meshwright_formats as formats;
+pub use meshwright_formats::{Mesh, Pslg};
+
+pub mod domain;
+mod parameters;
+pub mod predicates;
+
+pub use parameters::{
+    Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,
+};

@@ -1,0 +1,3 @@
+//! The `meshwright` command.
+
+fn main() {}

@@ -1,0 +1,152 @@
+//! What a run may be asked for.
+
+/// Everything that a run of the Adaptive Delaunay Refinement Algorithm may vary.
+///
+/// ```
+/// use meshwright::{Parameters, Splitting};
+/// let parameters = Parameters { splitting: Splitting::Shells, ..Parameters::default() };
+/// assert_eq!(parameters.min_angle.degrees().round(), 26.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters {
+    /// The output angle parameter κ̂.
+    pub min_angle: MinAngle,
+    /// No triangle may be larger than this area (squared units of the coordinates).
+    pub max_area: Option<f64>,
+    /// The run stops, with what it has, at this many points.
+    pub max_points: usize,
+    /// Where a subsegment is split.
+    pub splitting: Splitting,
+    /// When a small angle is left alone.
+    pub excuse: Excuse,
+    /// Where the point goes that removes a bad triangle.
+    pub steiner: Steiner,
+    /// Whether small angles across small input angles are attacked.
+    pub rule: Rule,
+    /// What is meshed.
+    pub region: Region,
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self {
+            min_angle: MinAngle::default(),
+            max_area: None,
+            max_points: 10_000_000,
+            splitting: Splitting::default(),
+            excuse: Excuse::default(),
+            steiner: Steiner::default(),
+            rule: Rule::default(),
+            region: Region::default(),
+        }
+    }
+}
+
+/// The output angle parameter κ̂, held as tan²κ̂ so that "angle < κ̂" needs no trigonometry.
+///
+/// The default is tan²κ̂ = 99/400 (κ̂ = 26.450057°), just below the paper's arcsin 2^(-7/6).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MinAngle {
+    /// tan²κ̂ = `numerator / denominator`.
+    pub numerator: f64,
+    /// See [`MinAngle::numerator`].
+    pub denominator: f64,
+}
+
+impl Default for MinAngle {
+    fn default() -> Self {
+        Self { numerator: 99.0, denominator: 400.0 }
+    }
+}
+
+impl MinAngle {
+    /// The largest κ̂ that every promise holds for: arcsin 2^(-7/6), in degrees (rounded down).
+    pub const LARGEST_DEGREES: f64 = 26.452;
+
+    /// κ̂ from degrees.
+    ///
+    /// # Errors
+    /// What is wrong with the value: it is no number from 0 to [`MinAngle::LARGEST_DEGREES`].
+    pub fn from_degrees(degrees: f64) -> Result<Self, MinAngleError> {
+        if !(0.0..=Self::LARGEST_DEGREES).contains(&degrees) {
+            return Err(MinAngleError { degrees });
+        }
+        let tangent = libm::tan(degrees.to_radians());
+        Ok(Self { numerator: tangent * tangent, denominator: 1.0 })
+    }
+
+    /// κ̂ in degrees.
+    #[must_use]
+    pub fn degrees(self) -> f64 {
+        self.radians().to_degrees()
+    }
+
+    /// κ̂ in radians.
+    #[must_use]
+    pub fn radians(self) -> f64 {
+        libm::atan(libm::sqrt(self.numerator / self.denominator))
+    }
+}
+
+/// A minimum angle that the theorem does not cover.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error(
+    "a minimum angle of {degrees}° is not possible: the refinement is proved to end from 0° to \
+     {largest}° (arcsin 2^(-7/6))",
+    largest = MinAngle::LARGEST_DEGREES
+)]
+pub struct MinAngleError {
+    /// The value asked for.
+    pub degrees: f64,
+}
+
+/// Where a subsegment is split.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Splitting {
+    /// At dyadic distances from the end it belongs to, all the way out.
+    #[default]
+    Ladder,
+    /// On concentric circular shells at first, then at midpoints (§10 of the paper).
+    Shells,
+}
+
+/// When an angle smaller than κ̂ is left alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Excuse {
+    /// It lies across two segments that meet at θ ≤ π/3 and is at least arctan(sin θ/(2−cos θ)),
+    /// or both ends of its edge are midpoints of ladders from the common end.
+    #[default]
+    Measured,
+    /// Both ends of its edge are midpoints on two such segments ((Quality′) of §3).
+    Midpoints,
+}
+
+/// Where the Steiner point of a bad triangle goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Steiner {
+    /// On the bisector of the short edge, no farther out than the circumcenter (Üngör).
+    #[default]
+    OffCenter,
+    /// The circumcenter.
+    Circumcenter,
+}
+
+/// Which small angles are attacked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Rule {
+    /// All but the excused ones: ends on every input.
+    #[default]
+    Adaptive,
+    /// All of them: ends only where the input has no angle that makes smaller ones.
+    Ruppert,
+}
+
+/// What is meshed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Region {
+    /// What the segments enclose, less the holes. Without segments: the convex hull.
+    #[default]
+    Domain,
+    /// The whole convex hull.
+    Hull,
+}
