@@ -4,6 +4,7 @@ pub use meshwright_formats as formats;
 pub use meshwright_formats::{Mesh, Pslg};
 
 pub mod domain;
+pub mod draw;
 mod parameters;
 pub mod predicates;
 
