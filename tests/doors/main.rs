@@ -11,10 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// Fails if a file of `part` names what `forbidden` forbids, or if `breach` is not caught.
 fn closed(part: impl Fn(&str) -> bool, forbidden: impl Fn(&Name) -> bool, breach: &str) {
-    assert!(
-        names(breach).iter().any(&forbidden),
-        "the door does not catch `{breach}`"
-    );
+    assert!(names(breach).iter().any(&forbidden), "the door does not catch `{breach}`");
     let mut breaches = Vec::new();
     for file in sources().iter().filter(|file| part(file)) {
         let text = std::fs::read_to_string(root().join(file)).expect("a source file can be read");
@@ -79,14 +76,7 @@ fn through(words: &'static [&'static str]) -> impl Fn(&Name) -> bool {
 
 /// Whether the name is a path that starts with this one.
 fn under(prefix: &'static [&'static str]) -> impl Fn(&Name) -> bool {
-    move |name| {
-        name.words
-            .iter()
-            .zip(prefix)
-            .filter(|(a, b)| a == b)
-            .count()
-            == prefix.len()
-    }
+    move |name| name.words.iter().zip(prefix).filter(|(a, b)| a == b).count() == prefix.len()
 }
 
 #[test]
@@ -98,11 +88,7 @@ fn formats_knows_no_geometry() {
 #[test]
 fn a_reader_sees_no_file_system() {
     let forbidden = |name: &Name| under(&["std", "path"])(name) || under(&["std", "fs"])(name);
-    closed(
-        in_formats,
-        forbidden,
-        "use std::{io::{self, Write}, path::Path};",
-    );
+    closed(in_formats, forbidden, "use std::{io::{self, Write}, path::Path};");
 }
 
 #[test]
@@ -118,97 +104,55 @@ fn only_the_command_prints() {
 
 #[test]
 fn anyhow_and_clap_are_known_to_the_command_alone() {
-    closed(
-        in_library,
-        has(&["anyhow", "clap", "indicatif"]),
-        "use anyhow::Context;",
-    );
+    closed(in_library, has(&["anyhow", "clap", "indicatif"]), "use anyhow::Context;");
 }
 
 #[test]
 fn the_judge_shares_nothing_with_the_refiner() {
     let part = |file: &str| file.starts_with("src/certify");
-    let forbidden = through(&[
-        "refine",
-        "triangulation",
-        "predicates",
-        "constructions",
-        "domain",
-        "carve",
-    ]);
+    let forbidden =
+        through(&["refine", "triangulation", "predicates", "constructions", "domain", "carve"]);
     closed(part, forbidden, "use crate::predicates::orientation;");
 }
 
 #[test]
 fn the_judge_has_its_own_exact_arithmetic() {
     let part = |file: &str| file.starts_with("src/certify");
-    closed(
-        part,
-        has(&["robust", "spade"]),
-        "let side = robust::orient2d(a, b, c);",
-    );
+    closed(part, has(&["robust", "spade"]), "let side = robust::orient2d(a, b, c);");
 }
 
 #[test]
 fn the_rules_of_refinement_are_functions_of_values() {
     let part = |file: &str| {
-        ["quality", "excuse", "shells", "ladder", "bounds"]
-            .iter()
-            .any(|rule| {
-                file == format!("src/refine/{rule}.rs")
-                    || file.starts_with(&format!("src/refine/{rule}/"))
-            })
+        ["quality", "excuse", "shells", "ladder", "bounds"].iter().any(|rule| {
+            file == format!("src/refine/{rule}.rs")
+                || file.starts_with(&format!("src/refine/{rule}/"))
+        })
     };
     let forbidden = has(&["triangulation", "Triangulation"]);
-    closed(
-        part,
-        forbidden,
-        "fn removable(mesh: &Triangulation) -> bool { true }",
-    );
+    closed(part, forbidden, "fn removable(mesh: &Triangulation) -> bool { true }");
 }
 
 #[test]
 fn spade_has_one_door() {
     let part = |file: &str| !file.starts_with("src/triangulation");
-    closed(
-        part,
-        has(&["spade"]),
-        "let mut t = spade::DelaunayTriangulation::new();",
-    );
+    closed(part, has(&["spade"]), "let mut t = spade::DelaunayTriangulation::new();");
 }
 
 #[test]
 fn robust_has_one_door() {
-    closed(
-        |file| file != "src/predicates.rs",
-        has(&["robust"]),
-        "robust::incircle(a, b, c, d)",
-    );
+    closed(|file| file != "src/predicates.rs", has(&["robust"]), "robust::incircle(a, b, c, d)");
 }
 
 #[test]
 fn nothing_depends_on_hash_order() {
-    let forbidden = has(&[
-        "HashMap",
-        "HashSet",
-        "RandomState",
-        "DefaultHasher",
-        "hashbrown",
-    ]);
-    closed(
-        everywhere,
-        forbidden,
-        "use std::collections::{BTreeMap, HashMap};",
-    );
+    let forbidden = has(&["HashMap", "HashSet", "RandomState", "DefaultHasher", "hashbrown"]);
+    closed(everywhere, forbidden, "use std::collections::{BTreeMap, HashMap};");
 }
 
 #[test]
 fn nothing_depends_on_the_clock() {
-    closed(
-        in_library,
-        has(&["Instant", "SystemTime"]),
-        "let start = std::time::Instant::now();",
-    );
+    closed(in_library, has(&["Instant", "SystemTime"]), "let start = std::time::Instant::now();");
 }
 
 #[test]
@@ -273,10 +217,7 @@ fn no_tracked_file_speaks_of_a_machine_or_a_registry() {
     let files: Vec<&str> = list.split('\0').filter(|file| !file.is_empty()).collect();
     assert!(files.contains(&"Cargo.toml"), "the files are found");
     let mut breaches = Vec::new();
-    for file in files
-        .into_iter()
-        .filter(|file| !file.ends_with("Cargo.lock"))
-    {
+    for file in files.into_iter().filter(|file| !file.ends_with("Cargo.lock")) {
         // Not UTF-8: no text. Gone: deleted, but not committed yet.
         let Ok(text) = std::fs::read_to_string(root().join(file)) else {
             continue;

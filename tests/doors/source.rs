@@ -29,34 +29,20 @@ pub fn names(source: &str) -> Vec<Name> {
             at += 1;
             continue;
         }
-        let before = code[..at]
-            .iter()
-            .rev()
-            .copied()
-            .find(|c| !c.is_whitespace());
+        let before = code[..at].iter().rev().copied().find(|c| !c.is_whitespace());
         let (words, end) = path(&code, at);
         if words == ["use"] {
             let end = find(&code, end, ';');
             let tree: String = code[at + 3..end].iter().collect();
             for words in leaves(&tree) {
-                names.push(Name {
-                    line,
-                    words,
-                    before: None,
-                    after: Some(';'),
-                });
+                names.push(Name { line, words, before: None, after: Some(';') });
             }
             line += newlines(&code[at..end]);
             at = end;
             continue;
         }
         let after = code[end..].iter().copied().find(|c| !c.is_whitespace());
-        names.push(Name {
-            line,
-            words,
-            before,
-            after,
-        });
+        names.push(Name { line, words, before, after });
         line += newlines(&code[at..end]);
         at = end;
     }
@@ -77,9 +63,7 @@ fn starts_word(code: &[char], at: usize) -> bool {
 }
 
 fn find(code: &[char], from: usize, wanted: char) -> usize {
-    (from..code.len())
-        .find(|&at| code[at] == wanted)
-        .unwrap_or(code.len())
+    (from..code.len()).find(|&at| code[at] == wanted).unwrap_or(code.len())
 }
 
 /// The path that starts here, and the position behind it.
@@ -87,9 +71,7 @@ fn path(code: &[char], start: usize) -> (Vec<String>, usize) {
     let mut words = Vec::new();
     let mut at = start;
     loop {
-        let end = (at..code.len())
-            .find(|&i| !is_word(code[i]))
-            .unwrap_or(code.len());
+        let end = (at..code.len()).find(|&i| !is_word(code[i])).unwrap_or(code.len());
         words.push(code[at..end].iter().collect());
         let next = skip_space(code, end);
         let behind = skip_space(code, next + 2);
@@ -102,9 +84,7 @@ fn path(code: &[char], start: usize) -> (Vec<String>, usize) {
 }
 
 fn skip_space(code: &[char], from: usize) -> usize {
-    (from..code.len())
-        .find(|&at| !code[at].is_whitespace())
-        .unwrap_or(code.len())
+    (from..code.len()).find(|&at| !code[at].is_whitespace()).unwrap_or(code.len())
 }
 
 /// The paths that a `use` tree such as `std::{fs, io::{self, Write}}` brings in.
@@ -112,16 +92,9 @@ fn leaves(tree: &str) -> Vec<Vec<String>> {
     let tree = tree.trim();
     let Some(open) = tree.find('{') else {
         let path = tree.split(" as ").next().unwrap_or(tree);
-        return vec![
-            path.split("::")
-                .map(|word| word.trim().to_owned())
-                .collect(),
-        ];
+        return vec![path.split("::").map(|word| word.trim().to_owned()).collect()];
     };
-    let prefix = tree[..open]
-        .split("::")
-        .map(str::trim)
-        .filter(|word| !word.is_empty());
+    let prefix = tree[..open].split("::").map(str::trim).filter(|word| !word.is_empty());
     let prefix: Vec<String> = prefix.map(str::to_owned).collect();
     let inner = &tree[open + 1..tree.rfind('}').unwrap_or(tree.len())];
     let mut paths = Vec::new();
@@ -133,11 +106,7 @@ fn leaves(tree: &str) -> Vec<Vec<String>> {
             ',' if depth == 0 => {
                 let leaf = inner[start..at].trim();
                 if !leaf.is_empty() {
-                    paths.extend(
-                        leaves(leaf)
-                            .into_iter()
-                            .map(|l| [prefix.clone(), l].concat()),
-                    );
+                    paths.extend(leaves(leaf).into_iter().map(|l| [prefix.clone(), l].concat()));
                 }
                 start = at + 1;
             }
@@ -170,11 +139,7 @@ fn without_text(source: &str) -> String {
                 continue;
             }
         };
-        code.extend(
-            source[at..end]
-                .iter()
-                .map(|&c| if c == '\n' { c } else { ' ' }),
-        );
+        code.extend(source[at..end].iter().map(|&c| if c == '\n' { c } else { ' ' }));
         at = end;
     }
     code
