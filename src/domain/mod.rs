@@ -1,9 +1,29 @@
 //! Assumption 1: from an outline to a domain that may be refined.
 
+mod adjoining;
+mod conflicts;
+mod error;
+mod hull;
+mod item;
+mod merge;
+mod range;
+mod status;
+mod sweep;
+#[cfg(test)]
+mod tests;
+
+use std::cmp::Ordering;
+
+pub use conflicts::{Conflict, Conflicts};
+pub use error::{Error, Item, Kind, Warning};
+
+use crate::{Pslg, Region};
+use sweep::Linework;
+
 /// A PSLG for which Assumption 1 holds exactly, in the coordinates that the refinement works in.
 ///
 /// Every array is zero-based and in the order of the outline; "input" indices are those of the
-/// [`Pslg`](crate::Pslg) it was made from.
+/// [`Pslg`] it was made from.
 #[derive(Debug, Clone)]
 pub struct Domain {
     /// Distinct points, scaled by 2^−[`scale_exponent`](Domain::scale_exponent).
@@ -26,9 +46,132 @@ pub struct Domain {
     pub scale_exponent: i32,
     /// Whether the whole convex hull is meshed: asked for, or there is no segment at all.
     pub hull: bool,
-    /// For each point, the segments that end there, counter-clockwise: those of point `p` are
-    /// `adjoining[adjoining_start[p]..adjoining_start[p + 1]]`.
+    /// For each point, the segments that end there, counter-clockwise from straight down: those
+    /// of point `p` are `adjoining[adjoining_start[p]..adjoining_start[p + 1]]`.
     pub adjoining_start: Vec<u32>,
     /// See [`Domain::adjoining_start`].
     pub adjoining: Vec<u32>,
+}
+
+impl Domain {
+    /// The domain that an outline describes. Duplicate points are merged, duplicate segments and
+    /// those of length zero dropped, each with a warning.
+    ///
+    /// ```
+    /// use meshwright::domain::Domain;
+    /// use meshwright::{Pslg, Region};
+    /// let triangle = Pslg {
+    ///     points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+    ///     segments: vec![[0, 1], [1, 2], [2, 0]],
+    ///     segment_tags: vec![0; 3],
+    ///     ..Pslg::default()
+    /// };
+    /// let (domain, warnings) = Domain::new(&triangle, Region::Domain)?;
+    /// assert_eq!(domain.adjoining(1), [1, 0]);
+    /// assert!(warnings.is_empty());
+    /// # Ok::<(), meshwright::domain::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What keeps Assumption 1 from holding, with the culprits' numbers and lines.
+    pub fn new(pslg: &Pslg, region: Region) -> Result<(Self, Vec<Warning>), Error> {
+        let mut warnings = Vec::new();
+        let scale_exponent = range::scale_exponent(pslg)?;
+        let scaled = |place| range::scaled(place, scale_exponent);
+
+        let scaled_points = pslg.points.iter().copied().map(scaled).collect();
+        let merge::Points {
+            points,
+            input: input_points,
+            distinct,
+        } = merge::points(pslg, scaled_points, &mut warnings);
+        let merge::Segments {
+            mut segments,
+            input: mut input_segments,
+            tags: mut segment_tags,
+        } = merge::segments(pslg, &distinct, &mut warnings);
+
+        let order = lexicographic_order(&points);
+        let hull_edges = hull::hull_edges(&points, &order);
+        if points.len() < 3 {
+            return Err(Error::TooFewPoints {
+                points: points.len(),
+            });
+        }
+        if hull_edges.is_empty() {
+            return Err(Error::Collinear {
+                points: points.len(),
+            });
+        }
+        if segments.is_empty() {
+            warnings.push(Warning::NoSegments);
+        }
+        let hull = region == Region::Hull || segments.is_empty();
+        if hull {
+            segments.extend(hull::missing(hull_edges, &segments));
+            input_segments.resize(segments.len(), u32::MAX);
+            segment_tags.resize(segments.len(), 0);
+        }
+
+        let (adjoining_start, adjoining) = adjoining::adjoining(&points, &segments);
+        let linework = Linework {
+            points: &points,
+            segments: &segments,
+            order: &order,
+            adjoining_start: &adjoining_start,
+            adjoining: &adjoining,
+        };
+        let holes: Vec<_> = pslg.holes.iter().copied().map(scaled).collect();
+        sweep::sweep(&linework, &holes).map_err(|violation| {
+            let inputs = [&input_points[..], &input_segments];
+            Error::Conflicts(Box::new(conflicts::conflicts(
+                pslg, &linework, inputs, violation,
+            )))
+        })?;
+
+        let regions = pslg.regions.iter().map(|region| crate::formats::Region {
+            seed: scaled(region.seed),
+            max_area: region
+                .max_area
+                .map(|area| libm::scalbn(area, -2 * scale_exponent)),
+            ..*region
+        });
+        let regions = regions.collect();
+        let domain = Self {
+            points,
+            input_points,
+            segments,
+            input_segments,
+            segment_tags,
+            holes,
+            regions,
+            scale_exponent,
+            hull,
+            adjoining_start,
+            adjoining,
+        };
+        Ok((domain, warnings))
+    }
+
+    /// The segments that end at a point, counter-clockwise.
+    #[must_use]
+    pub fn adjoining(&self, point: u32) -> &[u32] {
+        let point = point as usize;
+        &self.adjoining
+            [self.adjoining_start[point] as usize..self.adjoining_start[point + 1] as usize]
+    }
+}
+
+/// The order of the plane sweep: by x, then by y.
+fn lexicographic([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> Ordering {
+    // Coordinates are finite; −0 equals 0, which `total_cmp` would deny.
+    let order = |a: f64, b: f64| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
+    order(ax, bx).then(order(ay, by))
+}
+
+/// The points' indices, sorted by x, then by y.
+fn lexicographic_order(points: &[[f64; 2]]) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    order.sort_unstable_by(|&a, &b| lexicographic(points[a as usize], points[b as usize]));
+    order
 }

@@ -1,0 +1,149 @@
+//! What is wrong with an outline, and what was done about what is only untidy.
+
+use std::fmt;
+
+use super::conflicts::Conflicts;
+pub use super::item::{Item, Kind};
+
+/// Why an outline cannot be meshed. Items are named by the numbers and lines of their file.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A coordinate is infinite or no number.
+    #[error("{item} has a coordinate that is no finite number{}", Quoted(&[item]))]
+    NotFinite {
+        /// The point.
+        item: Item,
+    },
+    /// A coordinate is so small beside the largest one that products of coordinates underflow.
+    #[error(
+        "{item}: the coordinate {coordinate:e} is too small beside {largest:e} for exact \
+         arithmetic in doubles{}\nhelp: if it stands for zero, write 0",
+        Quoted(&[item])
+    )]
+    TooSmall {
+        /// The point.
+        item: Item,
+        /// The coordinate.
+        coordinate: f64,
+        /// The largest coordinate of the outline in magnitude.
+        largest: f64,
+    },
+    /// There is nothing to mesh: fewer than three distinct points.
+    #[error("{}: a mesh needs at least three", count_of(*.points, "distinct point"))]
+    TooFewPoints {
+        /// How many distinct points there are.
+        points: usize,
+    },
+    /// All points lie on one line.
+    #[error("all {points} points lie on one line: there is no area to mesh")]
+    Collinear {
+        /// How many distinct points there are.
+        points: usize,
+    },
+    /// Segments cross, touch or overlap.
+    #[error("{0}")]
+    Conflicts(Box<Conflicts>),
+}
+
+/// What was merged, dropped or left out: nothing is in silence. `first` holds the first three.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Warning {
+    /// Points with equal coordinates were merged.
+    DuplicatePoints {
+        /// How many points were merged into earlier ones.
+        count: usize,
+        /// Pairs of the point that stays and the one merged into it.
+        first: Vec<[Item; 2]>,
+    },
+    /// Segments of length zero were dropped.
+    ZeroLength {
+        /// How many.
+        count: usize,
+        /// The segments.
+        first: Vec<Item>,
+    },
+    /// Segments that join the same two points as an earlier one were dropped.
+    DuplicateSegments {
+        /// How many.
+        count: usize,
+        /// Pairs of the segment that stays and the one dropped.
+        first: Vec<[Item; 2]>,
+    },
+    /// Segments that join the same two points as an earlier one, with another tag, were dropped.
+    TagsDiffer {
+        /// How many.
+        count: usize,
+        /// Pairs of the segment that stays and the one dropped.
+        first: Vec<[Item; 2]>,
+        /// The tags of each pair.
+        tags: Vec<[i32; 2]>,
+    },
+    /// The outline has no segments: the convex hull of its points is meshed.
+    NoSegments,
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::DuplicatePoints { count, first } => {
+                write!(f, "{} merged", count_of(*count, "duplicate point"))?;
+                for [kept, merged] in first {
+                    write!(f, "\n  {merged} is {kept}")?;
+                    merged.quote(f)?;
+                }
+                more(f, *count, first.len())
+            }
+            Self::ZeroLength { count, first } => {
+                write!(f, "{} of length zero dropped", count_of(*count, "segment"))?;
+                first.iter().try_for_each(|segment| segment.quote(f))?;
+                more(f, *count, first.len())
+            }
+            Self::DuplicateSegments { count, first } => {
+                write!(f, "{} dropped", count_of(*count, "duplicate segment"))?;
+                for [kept, dropped] in first {
+                    write!(f, "\n  {dropped} is {kept} again")?;
+                    dropped.quote(f)?;
+                }
+                more(f, *count, first.len())
+            }
+            Self::TagsDiffer { count, first, tags } => {
+                let segments = count_of(*count, "duplicate segment");
+                write!(
+                    f,
+                    "{segments} with another tag dropped: the first tag stays"
+                )?;
+                for ([kept, dropped], [tag, other]) in first.iter().zip(tags) {
+                    write!(f, "\n  {dropped} (tag {other}) is {kept} (tag {tag}) again")?;
+                    dropped.quote(f)?;
+                }
+                more(f, *count, first.len())
+            }
+            Self::NoSegments => write!(f, "no segments: the convex hull of the points is meshed"),
+        }
+    }
+}
+
+/// `1 point`, `2 points`.
+pub(super) fn count_of(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+/// The line after the first few of a kind.
+fn more(f: &mut fmt::Formatter<'_>, count: usize, shown: usize) -> fmt::Result {
+    if count > shown {
+        write!(f, "\n  and {} more", count - shown)
+    } else {
+        Ok(())
+    }
+}
+
+/// The lines that show where items stand.
+pub(super) struct Quoted<'a>(pub &'a [&'a Item]);
+
+impl fmt::Display for Quoted<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|item| item.quote(f))
+    }
+}

@@ -1,0 +1,142 @@
+//! What §1 merges and drops without being asked: duplicate points, segments of length zero and
+//! segments given twice.
+
+use super::error::{Item, Kind, Warning};
+use super::lexicographic;
+use crate::Pslg;
+
+/// The distinct points of an outline.
+pub struct Points {
+    /// Their coordinates, in the order of the outline.
+    pub points: Vec<[f64; 2]>,
+    /// The input point that each of them is: the first of those that were merged.
+    pub input: Vec<u32>,
+    /// The distinct point that each input point became.
+    pub distinct: Vec<u32>,
+}
+
+/// Merges points with equal coordinates (−0 equals 0).
+pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -> Points {
+    let mut order: Vec<u32> = (0..scaled.len() as u32).collect();
+    order.sort_unstable_by(|&i, &j| {
+        lexicographic(scaled[i as usize], scaled[j as usize]).then(i.cmp(&j))
+    });
+    // `first[i]`: the first input point with the coordinates of `i`.
+    let mut first: Vec<u32> = (0..scaled.len() as u32).collect();
+    for pair in order.windows(2) {
+        if scaled[pair[0] as usize] == scaled[pair[1] as usize] {
+            first[pair[1] as usize] = first[pair[0] as usize];
+        }
+    }
+    let mut merged = Points {
+        points: Vec::new(),
+        input: Vec::new(),
+        distinct: Vec::new(),
+    };
+    let mut duplicates = Vec::new();
+    for (index, &same) in (0..).zip(&first) {
+        if same == index {
+            merged.distinct.push(merged.input.len() as u32);
+            merged.input.push(index);
+            merged.points.push(scaled[index as usize]);
+        } else {
+            merged.distinct.push(merged.distinct[same as usize]);
+            duplicates.push([same, index]);
+        }
+    }
+    if !duplicates.is_empty() {
+        warnings.push(Warning::DuplicatePoints {
+            count: duplicates.len(),
+            first: pairs(pslg, Kind::Point, &duplicates),
+        });
+    }
+    merged
+}
+
+/// The distinct segments of an outline.
+pub struct Segments {
+    /// Their ends as indices of distinct points, in the order of the outline.
+    pub segments: Vec<[u32; 2]>,
+    /// The input segment that each of them is: the first of those that were merged.
+    pub input: Vec<u32>,
+    /// Their tags.
+    pub tags: Vec<i32>,
+}
+
+/// Drops segments of length zero, and all but the first of those that join the same two points.
+pub fn segments(pslg: &Pslg, distinct: &[u32], warnings: &mut Vec<Warning>) -> Segments {
+    let ends = |index: u32| pslg.segments[index as usize].map(|p| distinct[p as usize]);
+    let undirected = |index: u32| {
+        let [a, b] = ends(index);
+        [a.min(b), a.max(b)]
+    };
+    let tag = |index: u32| pslg.segment_tags.get(index as usize).copied().unwrap_or(0);
+    let mut order: Vec<u32> = (0..pslg.segments.len() as u32).collect();
+    order.sort_unstable_by_key(|&index| (undirected(index), index));
+    let mut first: Vec<u32> = (0..pslg.segments.len() as u32).collect();
+    for pair in order.windows(2) {
+        if undirected(pair[0]) == undirected(pair[1]) {
+            first[pair[1] as usize] = first[pair[0] as usize];
+        }
+    }
+
+    let mut kept = Segments {
+        segments: Vec::new(),
+        input: Vec::new(),
+        tags: Vec::new(),
+    };
+    let (mut zero, mut twice, mut other_tag) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, &same) in (0..).zip(&first) {
+        let [a, b] = ends(index);
+        if a == b {
+            zero.push(index);
+        } else if same != index {
+            let list = if tag(same) == tag(index) {
+                &mut twice
+            } else {
+                &mut other_tag
+            };
+            list.push([same, index]);
+        } else {
+            kept.segments.push([a, b]);
+            kept.input.push(index);
+            kept.tags.push(tag(index));
+        }
+    }
+    if !zero.is_empty() {
+        let first = zero
+            .iter()
+            .take(3)
+            .map(|&i| Item::new(pslg, Kind::Segment, i))
+            .collect();
+        warnings.push(Warning::ZeroLength {
+            count: zero.len(),
+            first,
+        });
+    }
+    if !twice.is_empty() {
+        let first = pairs(pslg, Kind::Segment, &twice);
+        warnings.push(Warning::DuplicateSegments {
+            count: twice.len(),
+            first,
+        });
+    }
+    if !other_tag.is_empty() {
+        let tags = other_tag.iter().take(3).map(|pair| pair.map(tag)).collect();
+        let first = pairs(pslg, Kind::Segment, &other_tag);
+        warnings.push(Warning::TagsDiffer {
+            count: other_tag.len(),
+            first,
+            tags,
+        });
+    }
+    kept
+}
+
+fn pairs(pslg: &Pslg, kind: Kind, pairs: &[[u32; 2]]) -> Vec<[Item; 2]> {
+    pairs
+        .iter()
+        .take(3)
+        .map(|pair| pair.map(|index| Item::new(pslg, kind, index)))
+        .collect()
+}

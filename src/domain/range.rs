@@ -1,0 +1,58 @@
+//! The number range of §1: coordinates whose products neither over- nor underflow.
+
+use super::error::{Error, Item, Kind};
+use crate::Pslg;
+
+/// No scaling while the exponent of the largest coordinate stays within ±this.
+const UNSCALED: i32 = 100;
+
+/// A scaled coordinate other than zero is no smaller than 2^this. Differences of coordinates are
+/// then multiples of 2^−252, and the products of four of them, which the incircle test sums, of
+/// 2^−1008: above the 2^−1074 at which doubles lose bits.
+const SMALLEST: i32 = -200;
+
+/// The exponent `e` such that coordinates × 2^−e lie in the range in which predicates are exact:
+/// zero for all usual outlines.
+///
+/// # Errors
+/// A coordinate is no finite number, or too small beside the largest one.
+pub fn scale_exponent(pslg: &Pslg) -> Result<i32, Error> {
+    let mut largest = 0.0_f64;
+    for (index, point) in (0..).zip(&pslg.points) {
+        if !point.iter().all(|c| c.is_finite()) {
+            return Err(Error::NotFinite {
+                item: Item::new(pslg, Kind::Point, index),
+            });
+        }
+        largest = largest.max(point[0].abs()).max(point[1].abs());
+    }
+    let exponent = exponent(largest);
+    let scale = if exponent.abs() > UNSCALED {
+        exponent
+    } else {
+        0
+    };
+    for (index, point) in (0..).zip(&pslg.points) {
+        let too_small = |c: f64| c != 0.0 && self::exponent(c) - scale < SMALLEST;
+        if let Some(&coordinate) = point.iter().find(|&&c| too_small(c)) {
+            let item = Item::new(pslg, Kind::Point, index);
+            return Err(Error::TooSmall {
+                item,
+                coordinate,
+                largest,
+            });
+        }
+    }
+    Ok(scale)
+}
+
+/// `point` × 2^−`exponent`. Exact for points of the outline; a seed far outside of it may
+/// become infinite or zero.
+pub fn scaled([x, y]: [f64; 2], exponent: i32) -> [f64; 2] {
+    [libm::scalbn(x, -exponent), libm::scalbn(y, -exponent)]
+}
+
+/// The exponent `e` of `|x|` = m·2^e, 1 ≤ m < 2; 0 for zero.
+fn exponent(x: f64) -> i32 {
+    if x == 0.0 { 0 } else { libm::ilogb(x) }
+}
