@@ -1,0 +1,20 @@
+//! Outlines to be feared, and the campaigns that run meshwright over them.
+//!
+//! - [`Random`]: numbers that are the same everywhere.
+//! - [`figures`]: outlines that a figure is known for: one wedge, 20 spokes, a turned grid.
+//! - [`families`]: random outlines, each family nasty in one way.
+//! - [`hostile`]: everything at once, clean by construction.
+//! - [`sketch`], [`plane`], [`measure`], [`motion`], [`poly`]: what those are made and judged with.
+
+pub mod families;
+pub mod figures;
+pub mod hostile;
+pub mod measure;
+pub mod motion;
+pub mod plane;
+pub mod poly;
+mod random;
+pub mod sketch;
+
+pub use families::Family;
+pub use random::Random;

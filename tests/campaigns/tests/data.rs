@@ -1,0 +1,3 @@
+//! Real outlines with known answers.
+
+fn main() {}
