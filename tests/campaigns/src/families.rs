@@ -91,11 +91,7 @@ fn needles(size: usize, theta: f64, random: &mut Random) -> Pslg {
         let angle = theta * random.range(0.5, 2.0);
         let other = length * random.range(0.6, 1.0);
         sketch.add_polygon(
-            &[
-                apex,
-                polar(apex, direction, length),
-                polar(apex, direction + angle, other),
-            ],
+            &[apex, polar(apex, direction, length), polar(apex, direction + angle, other)],
             1,
         );
     }
@@ -133,16 +129,9 @@ fn star(size: usize, theta: f64, random: &mut Random) -> Pslg {
     let inner = smallest.clamp(1e-3, 0.8);
     let mut corners = Vec::new();
     for spike in 0..2 * spikes {
-        let radius = if spike % 2 == 0 {
-            random.range(0.7, 1.0)
-        } else {
-            inner * random.range(1.0, 1.2)
-        };
-        corners.push(polar(
-            [0.0, 0.0],
-            step * (spike as f64 + random.range(-0.1, 0.1)),
-            radius,
-        ));
+        let radius =
+            if spike % 2 == 0 { random.range(0.7, 1.0) } else { inner * random.range(1.0, 1.2) };
+        corners.push(polar([0.0, 0.0], step * (spike as f64 + random.range(-0.1, 0.1)), radius));
     }
     let mut sketch = Sketch::new(1e-5);
     sketch.add_polygon(&corners, 1);
@@ -175,10 +164,8 @@ fn nested_slits(size: usize, random: &mut Random) -> Pslg {
     let (mut a, mut b) = ([-0.6, 0.1], [1.5, 0.1 + random.range(-0.2, 0.2)]);
     for _ in 0..size {
         sketch.add_chain(&[a, b], 1);
-        let (p, q) = (
-            between(a, b, random.range(0.02, 0.2)),
-            between(a, b, random.range(0.8, 0.98)),
-        );
+        let (p, q) =
+            (between(a, b, random.range(0.02, 0.2)), between(a, b, random.range(0.8, 0.98)));
         let aside = random.range(0.02, 0.1) * crate::plane::distance(p, q);
         let normal = crate::plane::direction(a, b) + PI / 2.0;
         (a, b) = (polar(p, normal, aside), polar(q, normal, aside));
@@ -192,11 +179,7 @@ fn long_thin_wedge(size: usize, theta: f64, random: &mut Random) -> Pslg {
     let turn = random.direction();
     let mut sketch = Sketch::new(1e-9);
     sketch.add_polygon(
-        &[
-            apex,
-            polar(apex, turn, 1.0),
-            polar(apex, turn + theta, random.range(0.9, 1.1)),
-        ],
+        &[apex, polar(apex, turn, 1.0), polar(apex, turn + theta, random.range(0.9, 1.1))],
         1,
     );
     let (mut low, mut high) = (0.0, theta);
@@ -218,9 +201,8 @@ fn lattice(size: usize, random: &mut Random) -> Pslg {
     let side = (size / 4).clamp(2, 8) as i32;
     let mut sketch = Sketch::new(1e-2);
     let node = |x: i32, y: i32| (y * (side + 1) + x) as u32;
-    let nodes: Vec<Point> = (0..=side)
-        .flat_map(|y| (0..=side).map(move |x| [f64::from(x), f64::from(y)]))
-        .collect();
+    let nodes: Vec<Point> =
+        (0..=side).flat_map(|y| (0..=side).map(move |x| [f64::from(x), f64::from(y)])).collect();
     sketch.add(&nodes, &[], 0);
     for y in 0..side {
         for x in 0..side {
@@ -233,11 +215,7 @@ fn lattice(size: usize, random: &mut Random) -> Pslg {
                 (node(x + 1, y + 1), node(x, y + 1)),
                 (node(x, y + 1), node(x, y)),
             ] {
-                let there = sketch
-                    .outline()
-                    .segments
-                    .iter()
-                    .any(|&s| s == [a, b] || s == [b, a]);
+                let there = sketch.outline().segments.iter().any(|&s| s == [a, b] || s == [b, a]);
                 if !there {
                     sketch.add(&[], &[[a, b]], 1 + (x + y) % 3);
                 }

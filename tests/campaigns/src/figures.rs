@@ -10,12 +10,7 @@ use crate::random::Random;
 #[must_use]
 pub fn outline(points: Vec<Point>, segments: Vec<[u32; 2]>) -> Pslg {
     let segment_tags = vec![0; segments.len()];
-    Pslg {
-        points,
-        segments,
-        segment_tags,
-        ..Pslg::default()
-    }
+    Pslg { points, segments, segment_tags, ..Pslg::default() }
 }
 
 /// The corners of a box, counter-clockwise.
@@ -29,11 +24,7 @@ pub fn corners(low: Point, high: Point) -> [Point; 4] {
 #[must_use]
 pub fn wedge(theta: f64) -> Pslg {
     let mut points = corners([-1.0, -1.0], [2.0, 2.0]).to_vec();
-    points.extend([
-        [0.0, 0.0],
-        polar([0.0, 0.0], 0.3, 1.0),
-        polar([0.0, 0.0], 0.3 + theta, 0.83),
-    ]);
+    points.extend([[0.0, 0.0], polar([0.0, 0.0], 0.3, 1.0), polar([0.0, 0.0], 0.3 + theta, 0.83)]);
     outline(points, vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [4, 6]])
 }
 
@@ -60,9 +51,7 @@ pub fn spokes20(seed: u64) -> Pslg {
     let mut random = Random::new(seed);
     loop {
         let drawn = spokes(20, &mut random);
-        let smallest = crate::measure::smallest_angle(&drawn)
-            .unwrap_or(0.0)
-            .to_degrees();
+        let smallest = crate::measure::smallest_angle(&drawn).unwrap_or(0.0).to_degrees();
         if (0.85..=1.0).contains(&smallest) {
             return drawn;
         }
@@ -119,11 +108,7 @@ pub fn millimetres_at_five_million() -> Pslg {
         segments.extend((0..4).map(|k| [first + k, first + (k + 1) % 4]));
         let first = points.len() as u32;
         points.extend((0..12).map(|k| {
-            polar(
-                [x, y + 0.3],
-                std::f64::consts::TAU * f64::from(k) / 12.0,
-                0.002,
-            ) // a bolt hole
+            polar([x, y + 0.3], std::f64::consts::TAU * f64::from(k) / 12.0, 0.002) // a bolt hole
         }));
         holes.push([x, y + 0.3]);
         segments.extend((0..12).map(|k| [first + k, first + (k + 1) % 12]));
@@ -135,15 +120,8 @@ pub fn millimetres_at_five_million() -> Pslg {
     }
     segments.extend((first + 1..points.len() as u32).map(|k| [k - 1, k]));
     let first = points.len() as u32;
-    points.extend([
-        [3.0, 0.25],
-        [3.004, 0.25],
-        polar([3.0, 0.25], 2.0_f64.to_radians(), 0.003),
-    ]);
+    points.extend([[3.0, 0.25], [3.004, 0.25], polar([3.0, 0.25], 2.0_f64.to_radians(), 0.003)]);
     segments.extend([[first, first + 1], [first, first + 2]]);
-    let plate = Pslg {
-        holes,
-        ..outline(points, segments)
-    };
+    let plate = Pslg { holes, ..outline(points, segments) };
     Motion::offset([5e6, 5e6]).apply(&plate)
 }

@@ -145,10 +145,7 @@ fn lattice(margin: f64, random: &mut Random) -> Sketch {
     sketch.add(&nodes, &[], 0);
     for y in 0..rows {
         for x in 0..columns {
-            let centre = [
-                (f64::from(x) + 0.5) * cell - 1.0,
-                (f64::from(y) + 0.47) * cell - 1.0,
-            ];
+            let centre = [(f64::from(x) + 0.5) * cell - 1.0, (f64::from(y) + 0.47) * cell - 1.0];
             let first = x == 0 && y == 0;
             if !first && random.chance(0.15) {
                 continue;
@@ -175,11 +172,7 @@ fn lattice(margin: f64, random: &mut Random) -> Sketch {
 }
 
 fn has_segment(sketch: &Sketch, [a, b]: [u32; 2]) -> bool {
-    sketch
-        .outline()
-        .segments
-        .iter()
-        .any(|&s| s == [a, b] || s == [b, a])
+    sketch.outline().segments.iter().any(|&s| s == [a, b] || s == [b, a])
 }
 
 /// A strip of equilateral triangles with common sides: angles of 60°, as near as doubles come.
@@ -187,12 +180,7 @@ fn triangles(margin: f64, random: &mut Random) -> Sketch {
     let count = random.whole(1, 9) as u32;
     let height = 0.375 * libm::sqrt(3.0);
     let nodes: Vec<Point> = (0..count + 2)
-        .map(|i| {
-            [
-                f64::from(i) * 0.375 - 1.0,
-                if i % 2 == 0 { 0.0 } else { height },
-            ]
-        })
+        .map(|i| [f64::from(i) * 0.375 - 1.0, if i % 2 == 0 { 0.0 } else { height }])
         .collect();
     let mut sides = vec![[0, 1]];
     for i in 0..count {
@@ -217,11 +205,7 @@ fn wheel(margin: f64, random: &mut Random) -> Sketch {
     let mut sketch = polygon(&rim, margin);
     let hub = sketch.next();
     let spokes: Vec<_> = (0..hub).map(|corner| [hub, corner]).collect();
-    sketch.add(
-        &[[random.range(-0.1, 0.1), random.range(-0.1, 0.1)]],
-        &spokes,
-        2,
-    );
+    sketch.add(&[[random.range(-0.1, 0.1), random.range(-0.1, 0.1)]], &spokes, 2);
     sketch
 }
 
@@ -233,10 +217,7 @@ fn comb(random: &mut Random) -> Vec<Point> {
     for tooth in (0..teeth).rev() {
         let left = -1.0 + pitch * (tooth as f64 + 0.1);
         let width = pitch * random.log_range(0.01, 0.7);
-        let tip = [
-            left + width * random.range(0.2, 0.8),
-            random.range(0.3, 1.0),
-        ];
+        let tip = [left + width * random.range(0.2, 0.8), random.range(0.3, 1.0)];
         corners.extend([[left + width, 0.0], tip, [left, 0.0]]);
     }
     corners.push([-1.0, 0.0]);
@@ -361,11 +342,7 @@ fn sliver(sketch: &mut Sketch, thinness: Thinness, random: &mut Random) -> bool 
     let corners = [
         apex,
         polar(apex, towards, length),
-        polar(
-            apex,
-            towards + thinness.angle(random),
-            length * random.range(0.2, 1.0),
-        ),
+        polar(apex, towards + thinness.angle(random), length * random.range(0.2, 1.0)),
     ];
     sketch.add_polygon(&corners, 6)
 }
@@ -381,10 +358,7 @@ fn tower(sketch: &mut Sketch, random: &mut Random) -> bool {
     for _ in 0..random.whole(2, 6) {
         let theta = random.log_range(0.01, 0.6);
         let (x, y) = (sketch.point(apex), towards + theta);
-        let ends = [
-            polar(x, towards, length),
-            polar(x, y, length * random.range(0.5, 1.2)),
-        ];
+        let ends = [polar(x, towards, length), polar(x, y, length * random.range(0.5, 1.2))];
         if !sketch.add_legs(apex, &ends, 7) {
             return false;
         }
@@ -402,10 +376,7 @@ fn collinear_chain(sketch: &mut Sketch, random: &mut Random) -> bool {
     let count = random.whole(3, 8);
     let start = somewhere(random).map(|c| if exact { (c * 64.0).round() / 64.0 } else { c });
     let step = if exact {
-        [
-            random.whole(0, 8) as f64 / 64.0,
-            (random.whole(1, 8) as f64 - 4.0) / 64.0,
-        ]
+        [random.whole(0, 8) as f64 / 64.0, (random.whole(1, 8) as f64 - 4.0) / 64.0]
     } else {
         polar([0.0, 0.0], random.direction(), random.log_range(0.01, 0.2))
     };
@@ -434,10 +405,7 @@ fn slits(sketch: &mut Sketch, random: &mut Random) -> bool {
     for _ in 0..random.whole(2, 5) {
         let shift = length * random.range(-0.2, 0.2);
         let from = polar(a, towards, shift);
-        any |= sketch.add_chain(
-            &[from, polar(from, towards, length * random.range(0.4, 1.0))],
-            10,
-        );
+        any |= sketch.add_chain(&[from, polar(from, towards, length * random.range(0.4, 1.0))], 10);
         a = polar(a, towards + FRAC_PI_2, gap);
     }
     any
@@ -458,27 +426,16 @@ fn points(sketch: &mut Sketch, random: &mut Random) -> bool {
 fn hole(sketch: &mut Sketch, random: &mut Random) -> bool {
     let towards = random.direction();
     let length = random.log_range(0.01, 0.3);
-    let width = if random.chance(0.5) {
-        random.log_range(1e-4, 0.1)
-    } else {
-        random.range(0.3, 1.0)
-    };
+    let width =
+        if random.chance(0.5) { random.log_range(1e-4, 0.1) } else { random.range(0.3, 1.0) };
     let old_corner = random.chance(0.25);
     let corner = some_corner(sketch, random);
-    let first = if old_corner {
-        sketch.point(corner)
-    } else {
-        somewhere(random)
-    };
+    let first = if old_corner { sketch.point(corner) } else { somewhere(random) };
     let second = polar(first, towards, length);
     let third = polar(first, towards + width, length * random.range(0.5, 1.0));
     let next = sketch.next();
     let added = if old_corner {
-        sketch.add(
-            &[second, third],
-            &[[corner, next], [next, next + 1], [next + 1, corner]],
-            11,
-        )
+        sketch.add(&[second, third], &[[corner, next], [next, next + 1], [next + 1, corner]], 11)
     } else {
         sketch.add_polygon(&[first, second, third], 11)
     };
@@ -499,10 +456,7 @@ fn near_miss(sketch: &mut Sketch, random: &mut Random) -> bool {
         return sketch.add(&[near], &[], 0);
     }
     let towards = normal + random.range(-0.45, 0.45) * PI;
-    sketch.add_chain(
-        &[near, polar(near, towards, random.log_range(0.02, 0.5))],
-        12,
-    )
+    sketch.add_chain(&[near, polar(near, towards, random.log_range(0.02, 0.5))], 12)
 }
 
 /// A dangling segment from an old corner, or one that joins two of them.
@@ -512,11 +466,7 @@ fn slit_from_corner(sketch: &mut Sketch, random: &mut Random) -> bool {
     if random.chance(0.5) && from != to && !has_segment(sketch, [from, to]) {
         return sketch.add(&[], &[[from, to]], 13);
     }
-    let end = polar(
-        sketch.point(from),
-        random.direction(),
-        random.log_range(0.02, 0.8),
-    );
+    let end = polar(sketch.point(from), random.direction(), random.log_range(0.02, 0.8));
     sketch.add_legs(from, &[end], 13)
 }
 
@@ -525,10 +475,7 @@ fn slit_from_corner(sketch: &mut Sketch, random: &mut Random) -> bool {
 /// The outline somewhere else, turned and of another size; where rounding would close a wedge or
 /// bring features together, it stays as it is.
 fn moved(outline: &Pslg, random: &mut Random) -> Pslg {
-    let mut motion = Motion {
-        mirror: random.chance(0.2),
-        ..Motion::NONE
-    };
+    let mut motion = Motion { mirror: random.chance(0.2), ..Motion::NONE };
     if random.chance(0.5) {
         motion.turn = random.direction();
     }
@@ -538,10 +485,7 @@ fn moved(outline: &Pslg, random: &mut Random) -> Pslg {
         3 => motion.scale = libm::scalbn(1.0, random.whole(0, 60) as i32 - 30),
         4 | 5 => {
             let size = random.log_range(1.0, 1e3);
-            motion.offset = [
-                size * random.range(-1.0, 1.0),
-                size * random.range(-1.0, 1.0),
-            ];
+            motion.offset = [size * random.range(-1.0, 1.0), size * random.range(-1.0, 1.0)];
         }
         6 => {
             // A map's metres.
@@ -551,9 +495,5 @@ fn moved(outline: &Pslg, random: &mut Random) -> Pslg {
         _ => {}
     }
     let moved = motion.apply(outline);
-    if is_clean(&moved) && clearance(&moved) >= NEAREST {
-        moved
-    } else {
-        outline.clone()
-    }
+    if is_clean(&moved) && clearance(&moved) >= NEAREST { moved } else { outline.clone() }
 }

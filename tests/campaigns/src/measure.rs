@@ -18,11 +18,7 @@ pub fn smallest_angle(outline: &Pslg) -> Option<f64> {
         legs[b as usize].push((direction(q, p), p));
     }
     let mut smallest = None::<f64>;
-    for (x, legs) in points
-        .iter()
-        .zip(&mut legs)
-        .filter(|(_, legs)| legs.len() > 1)
-    {
+    for (x, legs) in points.iter().zip(&mut legs).filter(|(_, legs)| legs.len() > 1) {
         legs.sort_by(|s, t| s.0.total_cmp(&t.0));
         for (i, leg) in legs.iter().enumerate() {
             let between = angle(leg.1, *x, legs[(i + 1) % legs.len()].1);
@@ -96,30 +92,14 @@ pub(crate) fn in_conflict(([a, b], p, q): Located, ([c, d], r, s): Located) -> b
 /// The points, scaled by a power of two so that the largest coordinate is about 1: no product
 /// over- or underflows, and no bit changes.
 fn of_size_one(outline: &Pslg) -> Vec<Point> {
-    let largest = outline
-        .points
-        .iter()
-        .flatten()
-        .fold(0.0_f64, |m, c| m.max(c.abs()));
-    let exponent = if largest == 0.0 {
-        0
-    } else {
-        libm::ilogb(largest)
-    };
-    outline
-        .points
-        .iter()
-        .map(|p| p.map(|c| libm::scalbn(c, -exponent)))
-        .collect()
+    let largest = outline.points.iter().flatten().fold(0.0_f64, |m, c| m.max(c.abs()));
+    let exponent = if largest == 0.0 { 0 } else { libm::ilogb(largest) };
+    outline.points.iter().map(|p| p.map(|c| libm::scalbn(c, -exponent))).collect()
 }
 
 fn located(outline: &Pslg, points: &[Point]) -> Vec<Located> {
     let place = |i: u32| points[i as usize];
-    outline
-        .segments
-        .iter()
-        .map(|&[a, b]| ([a, b], place(a), place(b)))
-        .collect()
+    outline.segments.iter().map(|&[a, b]| ([a, b], place(a), place(b))).collect()
 }
 
 /// The points that end no segment.

@@ -20,12 +20,7 @@ pub struct Motion {
 
 impl Motion {
     /// Everything stays where it is.
-    pub const NONE: Self = Self {
-        mirror: false,
-        turn: 0.0,
-        scale: 1.0,
-        offset: [0.0, 0.0],
-    };
+    pub const NONE: Self = Self { mirror: false, turn: 0.0, scale: 1.0, offset: [0.0, 0.0] };
 
     /// A turn by an angle in radians.
     #[must_use]
@@ -36,28 +31,19 @@ impl Motion {
     /// A change of scale.
     #[must_use]
     pub fn scale(scale: f64) -> Self {
-        Self {
-            scale,
-            ..Self::NONE
-        }
+        Self { scale, ..Self::NONE }
     }
 
     /// A translation.
     #[must_use]
     pub fn offset(offset: Point) -> Self {
-        Self {
-            offset,
-            ..Self::NONE
-        }
+        Self { offset, ..Self::NONE }
     }
 
     /// A reflection at the x axis.
     #[must_use]
     pub fn mirror() -> Self {
-        Self {
-            mirror: true,
-            ..Self::NONE
-        }
+        Self { mirror: true, ..Self::NONE }
     }
 
     /// The outline moved; every coordinate is rounded, so that thin wedges may close.
@@ -69,15 +55,10 @@ impl Motion {
         for point in moved.points.iter_mut().chain(&mut moved.holes).chain(seeds) {
             let [x, y] = [point[0], if self.mirror { -point[1] } else { point[1] }];
             // A turn by nothing leaves the bits alone.
-            let turned = if self.turn == 0.0 {
-                [x, y]
-            } else {
-                [cos * x - sin * y, sin * x + cos * y]
-            };
-            *point = [
-                turned[0] * self.scale + self.offset[0],
-                turned[1] * self.scale + self.offset[1],
-            ];
+            let turned =
+                if self.turn == 0.0 { [x, y] } else { [cos * x - sin * y, sin * x + cos * y] };
+            *point =
+                [turned[0] * self.scale + self.offset[0], turned[1] * self.scale + self.offset[1]];
         }
         for region in &mut moved.regions {
             let scaled = |area: f64| area * self.scale * self.scale;
@@ -101,10 +82,7 @@ pub fn renumbered(outline: &Pslg, random: &mut Random) -> (Pslg, Vec<u32>) {
     let mut order: Vec<usize> = (0..outline.segments.len()).collect();
     random.shuffle(&mut order);
     let mut renumbered = outline.clone();
-    renumbered.points = old_points
-        .iter()
-        .map(|&old| outline.points[old as usize])
-        .collect();
+    renumbered.points = old_points.iter().map(|&old| outline.points[old as usize]).collect();
     renumbered.segment_tags = order.iter().map(|&i| outline.segment_tags[i]).collect();
     renumbered.segments = order
         .iter()

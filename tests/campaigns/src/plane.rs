@@ -14,10 +14,7 @@ pub fn minus(a: Point, b: Point) -> Point {
 /// The point at `distance` from `a` in a direction given in radians.
 #[must_use]
 pub fn polar(a: Point, direction: f64, distance: f64) -> Point {
-    [
-        a[0] + distance * libm::cos(direction),
-        a[1] + distance * libm::sin(direction),
-    ]
+    [a[0] + distance * libm::cos(direction), a[1] + distance * libm::sin(direction)]
 }
 
 /// The point that divides `a`–`b` in the ratio `t : 1 − t`.

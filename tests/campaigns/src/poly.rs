@@ -16,12 +16,7 @@ pub fn text(outline: &Pslg, comment: &str) -> String {
         let _ = writeln!(text, "{i} {x:?} {y:?}");
     }
     let _ = writeln!(text, "{} 1", outline.segments.len());
-    for (i, ([a, b], tag)) in outline
-        .segments
-        .iter()
-        .zip(&outline.segment_tags)
-        .enumerate()
-    {
+    for (i, ([a, b], tag)) in outline.segments.iter().zip(&outline.segment_tags).enumerate() {
         let _ = writeln!(text, "{i} {a} {b} {tag}");
     }
     let _ = writeln!(text, "{}", outline.holes.len());

@@ -22,11 +22,7 @@ impl Sketch {
     /// the length of the longer one apart.
     #[must_use]
     pub fn new(margin: f64) -> Self {
-        Self {
-            outline: Pslg::default(),
-            used: Vec::new(),
-            margin,
-        }
+        Self { outline: Pslg::default(), used: Vec::new(), margin }
     }
 
     /// The outline so far.
@@ -75,9 +71,7 @@ impl Sketch {
             self.used[point] || self.point_fits(point, neighbours)
         });
         if fits {
-            self.outline
-                .segment_tags
-                .resize(self.outline.segments.len(), tag);
+            self.outline.segment_tags.resize(self.outline.segments.len(), tag);
         } else {
             self.outline.points.truncate(before);
             self.outline.segments.truncate(segments_before);
@@ -91,18 +85,15 @@ impl Sketch {
     pub fn add_polygon(&mut self, points: &[Point], tag: i32) -> bool {
         let first = self.next();
         let count = points.len() as u32;
-        let segments: Vec<_> = (0..count)
-            .map(|i| [first + i, first + (i + 1) % count])
-            .collect();
+        let segments: Vec<_> = (0..count).map(|i| [first + i, first + (i + 1) % count]).collect();
         self.add(points, &segments, tag)
     }
 
     /// Adds an open chain of new points. Says whether it was added.
     pub fn add_chain(&mut self, points: &[Point], tag: i32) -> bool {
         let first = self.next();
-        let segments: Vec<_> = (1..points.len() as u32)
-            .map(|i| [first + i - 1, first + i])
-            .collect();
+        let segments: Vec<_> =
+            (1..points.len() as u32).map(|i| [first + i - 1, first + i]).collect();
         self.add(points, &segments, tag)
     }
 
@@ -120,12 +111,7 @@ impl Sketch {
 
     /// Marks a region.
     pub fn region(&mut self, seed: Point, tag: i32, max_area: Option<f64>) {
-        self.outline.regions.push(Region {
-            seed,
-            tag,
-            attribute: f64::from(tag),
-            max_area,
-        });
+        self.outline.regions.push(Region { seed, tag, attribute: f64::from(tag), max_area });
     }
 
     fn located(&self, [a, b]: [u32; 2]) -> Located {
@@ -149,19 +135,11 @@ impl Sketch {
 
     fn point_fits(&self, index: usize, first_segment: usize) -> bool {
         let x = self.outline.points[index];
-        let keeps_distance = self.outline.segments[first_segment..]
-            .iter()
-            .all(|&segment| {
-                let (_, p, q) = self.located(segment);
-                !segments_meet(x, x, p, q)
-                    && distance_to_segment(x, p, q) >= self.margin * distance(p, q)
-            });
-        keeps_distance
-            && self
-                .outline
-                .points
-                .iter()
-                .enumerate()
-                .all(|(i, &p)| i == index || p != x)
+        let keeps_distance = self.outline.segments[first_segment..].iter().all(|&segment| {
+            let (_, p, q) = self.located(segment);
+            !segments_meet(x, x, p, q)
+                && distance_to_segment(x, p, q) >= self.margin * distance(p, q)
+        });
+        keeps_distance && self.outline.points.iter().enumerate().all(|(i, &p)| i == index || p != x)
     }
 }

@@ -22,11 +22,7 @@ fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let census = Census::of(arguments.seed, arguments.count);
     println!("{census}");
-    if census.is_hostile_enough() {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
-    }
+    if census.is_hostile_enough() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 /// What a set of outlines is like.
