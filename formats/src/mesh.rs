@@ -35,6 +35,20 @@ pub struct Mesh {
     pub triangle_data: Vec<Data>,
 }
 
+impl Mesh {
+    /// The tag of an edge; 0 where [`Mesh::edge_tags`] does not reach.
+    #[must_use]
+    pub fn edge_tag(&self, edge: usize) -> Tag {
+        self.edge_tags.get(edge).copied().unwrap_or(0)
+    }
+
+    /// The tag of a triangle; 0 where [`Mesh::triangle_tags`] does not reach.
+    #[must_use]
+    pub fn triangle_tag(&self, triangle: usize) -> Tag {
+        self.triangle_tags.get(triangle).copied().unwrap_or(0)
+    }
+}
+
 /// How a point of a mesh came to be (*When and Why*, §§3, 10).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(u8)]

@@ -1,0 +1,185 @@
+//! What is wrong with a text file, and where.
+
+use std::borrow::Cow;
+use std::fmt::{self, Display, Formatter};
+
+/// A place in a text file that could not be read.
+///
+/// Its `Display` is the whole message:
+///
+/// ```
+/// use meshwright_formats::node;
+/// let error = node::read(b"1 2 0 0\n1 1.0 0,0\n", "lake.node").unwrap_err();
+/// assert_eq!(error.to_string(), "\
+/// lake.node:2:7: expected a y coordinate, found `0,0`
+///   |
+/// 2 | 1 1.0 0,0
+///   |       ^
+/// help: coordinates are separated by spaces");
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub struct SyntaxError {
+    /// The file, as the user named it.
+    pub file: Box<str>,
+    /// The line, counted from one.
+    pub line: u32,
+    /// The column, counted in characters from one.
+    pub column: u32,
+    /// What should have stood there.
+    pub expected: Cow<'static, str>,
+    /// What stands there.
+    pub found: Found,
+    /// What to do about it, where that is known.
+    pub help: Option<Cow<'static, str>>,
+    /// The whole line, with what is not UTF-8 replaced by `\u{fffd}`.
+    pub text: Box<str>,
+}
+
+/// What stands where something else was expected.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Found {
+    /// A whole word, from white space to white space.
+    Word(String),
+    /// Nothing more in this line.
+    EndOfLine,
+    /// Nothing more in this file.
+    EndOfFile,
+}
+
+/// Longest word and excerpt that a message shows, in characters.
+const LONGEST_WORD: usize = 40;
+const LONGEST_EXCERPT: usize = 100;
+
+impl Display for Found {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        match self {
+            Self::EndOfLine => f.write_str("the end of the line"),
+            Self::EndOfFile => f.write_str("the end of the file"),
+            Self::Word(word) => {
+                let mut shown: String = word.chars().take(LONGEST_WORD).map(printable).collect();
+                if word.chars().nth(LONGEST_WORD).is_some() {
+                    shown.push('…');
+                }
+                write!(f, "`{shown}`")
+            }
+        }
+    }
+}
+
+impl Display for SyntaxError {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let Self { file, line, column, expected, found, .. } = self;
+        writeln!(f, "{file}:{line}:{column}: expected {expected}, found {found}")?;
+        let number = line.to_string();
+        let margin = " ".repeat(number.len());
+        let (excerpt, caret) = self.excerpt();
+        writeln!(f, "{margin} |")?;
+        writeln!(f, "{number} | {excerpt}")?;
+        write!(f, "{margin} | {caret}")?;
+        match &self.help {
+            Some(help) => write!(f, "\nhelp: {help}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl SyntaxError {
+    /// The part of the line around the column, and a second line whose caret stands below it.
+    fn excerpt(&self) -> (String, String) {
+        let place = self.column as usize - 1;
+        let first = place.saturating_sub(LONGEST_EXCERPT * 3 / 4);
+        let shown = self.text.chars().skip(first).take(LONGEST_EXCERPT);
+        let before = self.text.chars().chain(std::iter::repeat(' ')).skip(first);
+        let mut caret: String =
+            before.take(place - first).map(|c| if c == '\t' { c } else { ' ' }).collect();
+        caret.push('^');
+        (shown.map(|c| if c == '\t' { c } else { printable(c) }).collect(), caret)
+    }
+}
+
+/// The character itself, or a stand-in that a terminal cannot take for a command.
+fn printable(c: char) -> char {
+    if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }
+}
+
+/// Something in a file that was read otherwise than it stands there, or not at all.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{file}:{line}: {notice}")]
+pub struct Warning {
+    /// The file, as the user named it.
+    pub file: String,
+    /// The line (the first, of several), counted from one.
+    pub line: u32,
+    /// What was done.
+    pub notice: Notice,
+}
+
+/// What a reader did with something that it could not take as it stands.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Notice {
+    /// Lines hold more columns than the header announces.
+    #[error("{lines} {} more columns than the header (line {header}) announces; \
+             they are ignored", if *lines == 1 { "line has" } else { "lines have" })]
+    ExtraColumns {
+        /// How many lines.
+        lines: u32,
+        /// The line of the header.
+        header: u32,
+    },
+    /// The header announces markers; some lines have none.
+    #[error("{lines} {} no boundary marker, which the header (line {header}) announces; \
+             taken as 0", if *lines == 1 { "line has" } else { "lines have" })]
+    MissingMarkers {
+        /// How many lines.
+        lines: u32,
+        /// The line of the header.
+        header: u32,
+    },
+    /// Text after the last section.
+    #[error("the file goes on after its last section; {lines} {} ignored",
+            if *lines == 1 { "line is" } else { "lines are" })]
+    TrailingText {
+        /// How many lines that hold more than a comment.
+        lines: u32,
+    },
+    /// A regional attribute that is no whole number cannot be a tag.
+    #[error(
+        "the regional attribute {attribute} of region {region} is no whole number: \
+             its triangles get the tag {tag}"
+    )]
+    RegionTag {
+        /// The region, as the file numbers it.
+        region: i64,
+        /// The attribute.
+        attribute: f64,
+        /// The tag it got instead.
+        tag: i32,
+    },
+    /// Regions with one value after their seed, which Triangle takes as an attribute or as an area,
+    /// as its switches say.
+    #[error("{regions} {} only one value after the seed; taken as {}",
+            if *regions == 1 { "region has" } else { "regions have" },
+            if *areas { "the largest area, for not all are whole numbers" }
+            else { "the attribute, not as the largest area" })]
+    LoneRegionValues {
+        /// How many regions.
+        regions: u32,
+        /// Whether the values were taken as areas.
+        areas: bool,
+    },
+    /// A section that holds nothing for a mesh of triangles.
+    #[error("section `${name}` is ignored")]
+    SkippedSection {
+        /// The section's name, without its `$`.
+        name: String,
+    },
+    /// Elements of a kind that a mesh of triangles does not have.
+    #[error("{count} elements of Gmsh's type {kind} are ignored")]
+    SkippedElements {
+        /// The type's number in Gmsh's manual.
+        kind: i64,
+        /// How many.
+        count: u32,
+    },
+}

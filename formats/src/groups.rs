@@ -1,0 +1,454 @@
+//! From the user's tags and names to the groups of a file, and back.
+//!
+//! The user's numbers and names are kept wherever a format can hold them. What has no tag (0) gets
+//! a fresh positive number and a name that says what it is: `boundary` for edges with one
+//! triangle, `interface` for edges between two, `region` for triangles. A tag without a name gets
+//! a *stated* one ([`stated_name`]): `boundary_3`, `region_7`. So every number in a file has a
+//! name, and a name tells the user's number even where the file could not keep it.
+
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::{self, Display, Formatter};
+
+use crate::mesh::Mesh;
+use crate::pslg::{Group, Tag};
+
+/// What a format, or the user, asks of the numbers and names of groups.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Rules {
+    /// Numbers must be positive: tags below 1 get fresh numbers.
+    pub positive: bool,
+    /// No number may serve two groups: regions are numbered 1, 2, …, then boundaries go on.
+    pub unique: bool,
+    /// Names stand between double quotes that nothing escapes: `"` becomes `'`.
+    pub quoted: bool,
+}
+
+/// One group of a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Entry {
+    /// 1 for edges, 2 for triangles.
+    pub dim: u8,
+    /// The user's tag; 0 if there is none.
+    pub tag: Tag,
+    /// The number that the file holds.
+    pub number: Tag,
+    /// The name that the file holds.
+    pub name: String,
+}
+
+/// The groups that a file holds for a mesh.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Table {
+    /// The groups: edges before triangles, by tag.
+    pub entries: Vec<Entry>,
+    /// The group of each edge, as an index into [`Table::entries`].
+    pub edges: Vec<u32>,
+    /// Tag and index of each group of triangles, by tag.
+    regions: Vec<(Tag, usize)>,
+}
+
+/// What a writer did with tags and names, for the user to know.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Note {
+    /// What has no tag was given a number and a name.
+    Untagged {
+        /// 1 for edges, 2 for triangles.
+        dim: u8,
+        /// The number it got.
+        number: Tag,
+        /// The name it got.
+        name: String,
+    },
+    /// A tag is written as another number.
+    Renumbered {
+        /// 1 for edges, 2 for triangles.
+        dim: u8,
+        /// The user's tag.
+        tag: Tag,
+        /// The number that the file holds.
+        number: Tag,
+        /// The name of both.
+        name: String,
+    },
+    /// Numbers that serve a group of edges and a group of triangles.
+    SharedNumbers {
+        /// The numbers.
+        numbers: Vec<Tag>,
+    },
+    /// A name that serves two groups.
+    SharedName {
+        /// The name.
+        name: String,
+    },
+    /// A name that holds white space.
+    NameWithSpace {
+        /// The name.
+        name: String,
+    },
+    /// A name is written otherwise than the user gave it.
+    NameChanged {
+        /// The user's name.
+        name: String,
+        /// The name that the file holds.
+        written: String,
+    },
+    /// One tag has two names; the file holds the first.
+    SecondName {
+        /// The name that the file holds.
+        kept: String,
+        /// The other one.
+        dropped: String,
+    },
+    /// The name of a group of points, which the file does not hold.
+    PointGroup {
+        /// The name.
+        name: String,
+    },
+}
+
+impl Note {
+    /// Whether something may be lost or misread; else the note only tells.
+    #[must_use]
+    pub fn is_warning(&self) -> bool {
+        !matches!(self, Self::Untagged { .. } | Self::Renumbered { .. })
+    }
+}
+
+impl Display for Note {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        match self {
+            Self::Untagged { dim, number, name } => {
+                write!(f, "untagged {} are group {number}, `{name}`", cells(*dim))
+            }
+            Self::Renumbered { dim, tag, number, name } => {
+                write!(f, "{} {tag} is written as {number}, `{name}`", kind(*dim))
+            }
+            Self::SharedNumbers { numbers } => {
+                let (noun, verb) =
+                    if numbers.len() == 1 { ("number", "stands") } else { ("numbers", "stand") };
+                write!(f, "{noun} {} {verb} for a boundary and for a region", listed(numbers))?;
+                write!(f, "; GetDP and scikit-fem mix them up")
+            }
+            Self::SharedName { name } => {
+                write!(f, "`{name}` names two groups; readers that go by names keep one")
+            }
+            Self::NameWithSpace { name } => {
+                write!(f, "the name `{name}` holds a space; some solvers cut it there")
+            }
+            Self::NameChanged { name, written } => {
+                write!(f, "the name `{name}` is written as `{written}`")
+            }
+            Self::SecondName { kept, dropped } => {
+                write!(f, "the group `{kept}` has a second name, `{dropped}`, which is not written")
+            }
+            Self::PointGroup { name } => {
+                write!(f, "the point group `{name}` is not written")
+            }
+        }
+    }
+}
+
+fn listed(numbers: &[Tag]) -> String {
+    let shown: Vec<String> = numbers.iter().take(5).map(Tag::to_string).collect();
+    let more = if numbers.len() > 5 { ", …" } else { "" };
+    shown.join(", ") + more
+}
+
+fn kind(dim: u8) -> &'static str {
+    match dim {
+        0 => "point",
+        1 => "boundary",
+        _ => "region",
+    }
+}
+
+fn cells(dim: u8) -> &'static str {
+    match dim {
+        0 => "points",
+        1 => "edges",
+        _ => "triangles",
+    }
+}
+
+/// The name that a tag without one gets: `boundary_3`, `region_7`, `boundary_-1`.
+///
+/// ```
+/// use meshwright_formats::groups::stated_name;
+/// assert_eq!(stated_name(1, -1), "boundary_-1");
+/// assert_eq!(stated_name(2, 7), "region_7");
+/// ```
+#[must_use]
+pub fn stated_name(dim: u8, tag: Tag) -> String {
+    format!("{}_{tag}", kind(dim))
+}
+
+/// The tag that a stated name tells, untagged (0) included; `None` for a name of the user's.
+#[must_use]
+pub fn stated_tag(dim: u8, name: &str) -> Option<Tag> {
+    let untagged = match dim {
+        1 => name == BOUNDARY || name == INTERFACE,
+        _ => name == kind(dim),
+    };
+    if untagged {
+        return Some(0);
+    }
+    let tag = name.strip_prefix(kind(dim))?.strip_prefix('_')?.parse().ok()?;
+    (stated_name(dim, tag) == name).then_some(tag)
+}
+
+const BOUNDARY: &str = "boundary";
+const INTERFACE: &str = "interface";
+const REGION: &str = "region";
+
+/// Whether a tag of an outline and a tag of a mesh mean the same group: by name where both have
+/// one, else by number.
+///
+/// A stated name counts as its number, so a mesh read back from a file that had to renumber still
+/// agrees with its outline.
+///
+/// ```
+/// use meshwright_formats::{Group, groups::agree};
+/// let group = |tag, name: &str| Group { dim: 1, tag, name: name.into() };
+/// let outline = [group(3, "inlet")];
+/// let mesh = [group(7, "inlet"), group(8, "boundary_-1")];
+/// assert!(agree(1, (3, &outline), (7, &mesh)));
+/// assert!(agree(1, (-1, &outline), (8, &mesh)));
+/// assert!(!agree(1, (8, &outline), (8, &mesh)));
+/// ```
+#[must_use]
+pub fn agree(dim: u8, outline: (Tag, &[Group]), mesh: (Tag, &[Group])) -> bool {
+    match (meaning(dim, outline), meaning(dim, mesh)) {
+        (Meaning::Name(a, _), Meaning::Name(b, _)) => a == b,
+        (a, b) => a.tag() == b.tag(),
+    }
+}
+
+enum Meaning<'a> {
+    Name(&'a str, Tag),
+    Number(Tag),
+}
+
+impl Meaning<'_> {
+    fn tag(&self) -> Tag {
+        let (Self::Name(_, tag) | Self::Number(tag)) = *self;
+        tag
+    }
+}
+
+fn meaning(dim: u8, (tag, groups): (Tag, &[Group])) -> Meaning<'_> {
+    let Some(group) = groups.iter().find(|g| g.dim == dim && g.tag == tag) else {
+        return Meaning::Number(tag);
+    };
+    match stated_tag(dim, &group.name) {
+        Some(tag) => Meaning::Number(tag),
+        None => Meaning::Name(&group.name, tag),
+    }
+}
+
+/// Positive numbers that are not taken yet, from the smallest.
+pub(crate) struct FreshTags {
+    used: BTreeSet<Tag>,
+    next: Tag,
+}
+
+impl FreshTags {
+    pub fn beside(used: BTreeSet<Tag>) -> Self {
+        Self { used, next: 1 }
+    }
+
+    pub fn take(&mut self) -> Tag {
+        while self.used.contains(&self.next) {
+            self.next += 1;
+        }
+        self.next += 1;
+        self.next - 1
+    }
+}
+
+/// What tells groups apart before they have a name: dimension, tag, and for untagged edges
+/// whether they lie between two triangles.
+type Key = (u8, Tag, bool);
+
+impl Table {
+    /// The groups of a mesh under a format's rules.
+    #[must_use]
+    pub fn new(mesh: &Mesh, rules: Rules) -> (Self, Vec<Note>) {
+        let mut notes = Vec::new();
+        let names = names(mesh, rules, &mut notes);
+        let interfaces = untagged_interfaces(mesh, &names);
+        let edge_key = |edge: usize| (1, mesh.edge_tag(edge), interfaces.contains(&edge));
+        let keys = keys(mesh, &names, edge_key);
+        let numbers = numbers(&keys, rules);
+        let entries = entries(&keys, &numbers, names);
+        let index = |key: Key| keys.binary_search(&key).unwrap_or(0);
+        let edges = (0..mesh.edges.len()).map(|edge| index(edge_key(edge)) as u32).collect();
+        let regions = entries.iter().enumerate().filter(|(_, e)| e.dim == 2);
+        let regions = regions.map(|(i, e)| (e.tag, i)).collect();
+        tell(&entries, &mut notes);
+        (Self { entries, edges, regions }, notes)
+    }
+
+    /// The group of the triangles with this tag, as an index into [`Table::entries`].
+    #[must_use]
+    pub fn region(&self, tag: Tag) -> usize {
+        match self.regions.binary_search_by_key(&tag, |&(tag, _)| tag) {
+            Ok(place) => self.regions[place].1,
+            Err(_) => panic!("every tag of a triangle has a group"),
+        }
+    }
+}
+
+/// The user's names as the file can hold them, by dimension and tag.
+fn names(mesh: &Mesh, rules: Rules, notes: &mut Vec<Note>) -> BTreeMap<(u8, Tag), String> {
+    let mut names = BTreeMap::new();
+    for Group { dim, tag, name } in &mesh.groups {
+        if !matches!(dim, 1 | 2) {
+            notes.push(Note::PointGroup { name: name.clone() });
+            continue;
+        }
+        let written = writable(name, rules);
+        if written != *name {
+            notes.push(Note::NameChanged { name: name.clone(), written: written.to_string() });
+        }
+        if written.is_empty() {
+            continue;
+        }
+        if let Some(kept) = names.get(&(*dim, *tag)) {
+            notes.push(Note::SecondName { kept: String::clone(kept), dropped: name.clone() });
+            continue;
+        }
+        names.insert((*dim, *tag), written.into_owned());
+    }
+    names
+}
+
+fn writable(name: &str, rules: Rules) -> Cow<'_, str> {
+    let bad = |c: char| c.is_control() || (rules.quoted && c == '"');
+    if !name.contains(bad) {
+        return name.into();
+    }
+    let good = |c: char| match c {
+        '"' if rules.quoted => '\'',
+        c if c.is_control() => ' ',
+        c => c,
+    };
+    name.chars().map(good).collect::<String>().into()
+}
+
+/// The untagged edges that two triangles use; none where the user named the untagged ones.
+fn untagged_interfaces(mesh: &Mesh, names: &BTreeMap<(u8, Tag), String>) -> BTreeSet<usize> {
+    let untagged = |&edge: &usize| mesh.edge_tag(edge) == 0;
+    if names.contains_key(&(1, 0)) || !(0..mesh.edges.len()).any(|edge| untagged(&edge)) {
+        return BTreeSet::new();
+    }
+    let mut triangles: BTreeMap<[u32; 2], u32> = BTreeMap::new();
+    let mut ends = vec![false; mesh.points.len()];
+    for edge in (0..mesh.edges.len()).filter(untagged) {
+        let [a, b] = mesh.edges[edge];
+        triangles.insert([a.min(b), a.max(b)], 0);
+        for end in [a, b] {
+            if let Some(end) = ends.get_mut(end as usize) {
+                *end = true;
+            }
+        }
+    }
+    // Few points are ends of such an edge: most triangle edges need no search.
+    let is_end = |point: u32| ends.get(point as usize).is_some_and(|&end| end);
+    for &[a, b, c] in &mesh.triangles {
+        for [a, b] in [[a, b], [b, c], [c, a]] {
+            if is_end(a)
+                && is_end(b)
+                && let Some(count) = triangles.get_mut(&[a.min(b), a.max(b)])
+            {
+                *count += 1;
+            }
+        }
+    }
+    let shared = |&edge: &usize| {
+        let [a, b] = mesh.edges[edge];
+        triangles[&[a.min(b), a.max(b)]] >= 2
+    };
+    (0..mesh.edges.len()).filter(untagged).filter(shared).collect()
+}
+
+/// The groups that occur, and those that have only a name; sorted.
+fn keys(
+    mesh: &Mesh,
+    names: &BTreeMap<(u8, Tag), String>,
+    edge_key: impl Fn(usize) -> Key,
+) -> Vec<Key> {
+    let mut keys: BTreeSet<Key> = names.keys().map(|&(dim, tag)| (dim, tag, false)).collect();
+    keys.extend((0..mesh.edges.len()).map(edge_key));
+    let mut last = None;
+    for triangle in 0..mesh.triangles.len() {
+        let tag = mesh.triangle_tag(triangle);
+        if last != Some(tag) {
+            keys.insert((2, tag, false));
+            last = Some(tag);
+        }
+    }
+    keys.into_iter().collect()
+}
+
+/// The number of each group in the file.
+fn numbers(keys: &[Key], rules: Rules) -> BTreeMap<Key, Tag> {
+    if rules.unique {
+        let regions_first =
+            keys.iter().filter(|k| k.0 == 2).chain(keys.iter().filter(|k| k.0 != 2));
+        return regions_first.copied().zip(1..).collect();
+    }
+    let keeps = |&(_, tag, _): &Key| tag > 0 || (tag < 0 && !rules.positive);
+    let used = keys.iter().filter(|key| keeps(key)).map(|key| key.1).collect();
+    let mut fresh = FreshTags::beside(used);
+    keys.iter().map(|&key| (key, if keeps(&key) { key.1 } else { fresh.take() })).collect()
+}
+
+fn entries(
+    keys: &[Key],
+    numbers: &BTreeMap<Key, Tag>,
+    mut names: BTreeMap<(u8, Tag), String>,
+) -> Vec<Entry> {
+    let entry = |&key: &Key| {
+        let (dim, tag, interface) = key;
+        let name = names.remove(&(dim, tag)).unwrap_or_else(|| match (dim, tag, interface) {
+            (1, 0, false) => BOUNDARY.to_owned(),
+            (1, 0, true) => INTERFACE.to_owned(),
+            (_, 0, _) => REGION.to_owned(),
+            _ => stated_name(dim, tag),
+        });
+        Entry { dim, tag, number: numbers[&key], name }
+    };
+    keys.iter().map(entry).collect()
+}
+
+/// Says what differs from the user's tags, and what readers may misread.
+fn tell(entries: &[Entry], notes: &mut Vec<Note>) {
+    for &Entry { dim, tag, number, ref name } in entries {
+        let name = name.clone();
+        if tag == 0 {
+            notes.push(Note::Untagged { dim, number, name });
+        } else if tag != number {
+            notes.push(Note::Renumbered { dim, tag, number, name });
+        }
+    }
+    let numbers = |dim| entries.iter().filter(move |e| e.dim == dim).map(|e| e.number);
+    let regions: BTreeSet<Tag> = numbers(2).collect();
+    let shared: BTreeSet<Tag> = numbers(1).filter(|number| regions.contains(number)).collect();
+    if !shared.is_empty() {
+        notes.push(Note::SharedNumbers { numbers: shared.into_iter().collect() });
+    }
+    let mut seen = BTreeMap::new();
+    for Entry { name, .. } in entries {
+        *seen.entry(name).or_insert(0) += 1;
+    }
+    for (name, count) in seen {
+        if count > 1 {
+            notes.push(Note::SharedName { name: name.clone() });
+        }
+        if name.contains(char::is_whitespace) {
+            notes.push(Note::NameWithSpace { name: name.clone() });
+        }
+    }
+}

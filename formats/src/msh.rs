@@ -1,0 +1,9 @@
+//! Gmsh's mesh format, version 2.2, as text.
+//!
+//! Every reader tried takes this version; 4.1 fails in several. Gmsh's manual calls it legacy and
+//! describes it under "MSH file format version 2 (Legacy)"
+//! (<https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format-version-2-_0028Legacy_0029>).
+
+mod write;
+
+pub use write::{Options, write, write_with};

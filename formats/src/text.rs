@@ -1,0 +1,408 @@
+//! Lines, words and numbers of a text file, with their places.
+//!
+//! A word is a run of bytes between white space; it is taken whole or not at all, so `0,0` is no
+//! number. Lines end with `\n`, `\r\n` or `\r`; a byte order mark is skipped. One pass over the
+//! bytes, nothing allocated but by errors.
+
+use std::borrow::Cow;
+
+use crate::error::{Found, SyntaxError};
+
+/// A reader's place in a text file.
+pub(crate) struct Scanner<'a> {
+    file: &'a str,
+    text: &'a [u8],
+    /// The byte that is read next.
+    position: usize,
+    /// The line it is in, counted from one.
+    line: u32,
+    line_start: usize,
+    /// The byte that starts a comment, if the format has one.
+    comment: Option<u8>,
+}
+
+/// A whole word.
+#[derive(Clone, Copy)]
+pub(crate) struct Word<'a> {
+    pub bytes: &'a [u8],
+    start: usize,
+}
+
+impl<'a> Scanner<'a> {
+    pub fn new(text: &'a [u8], file: &'a str, comment: Option<u8>) -> Self {
+        let start = if text.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        Self { file, text, position: start, line: 1, line_start: start, comment }
+    }
+
+    pub fn file(&self) -> &'a str {
+        self.file
+    }
+
+    /// The line of the word that is read next, counted from one.
+    pub fn line(&self) -> u32 {
+        self.line
+    }
+
+    /// How many bytes are left: the bound on what an announced count may reserve.
+    pub fn left(&self) -> usize {
+        self.text.len() - self.position
+    }
+
+    /// Goes to the next line that holds a word: past blank lines, comments and what is left of the
+    /// line so far. At the start of the file this is its first line. False at the end.
+    pub fn next_line(&mut self) -> bool {
+        loop {
+            self.skip_blanks();
+            match self.text.get(self.position) {
+                None => return false,
+                Some(b'\n' | b'\r') => self.end_line(),
+                Some(&byte) if Some(byte) == self.comment => self.skip_to_line_end(),
+                Some(_) => return true,
+            }
+        }
+    }
+
+    /// Leaves the rest of the line, which the caller has looked at.
+    pub fn leave_line(&mut self) {
+        self.skip_to_line_end();
+    }
+
+    /// The next word of this line.
+    pub fn word(&mut self) -> Option<Word<'a>> {
+        self.skip_blanks();
+        let start = self.position;
+        while let Some(&byte) = self.text.get(self.position) {
+            if is_white(byte) || Some(byte) == self.comment {
+                break;
+            }
+            self.position += 1;
+        }
+        let bytes = &self.text[start..self.position];
+        (!bytes.is_empty()).then_some(Word { bytes, start })
+    }
+
+    /// The first word of this line, once more.
+    pub fn first_word_of_line(&self) -> Word<'a> {
+        let mut again = Self { position: self.line_start, ..*self };
+        again.word().unwrap_or(Word { bytes: b"", start: self.line_start })
+    }
+
+    /// A finite number; `what` says which, for the message.
+    pub fn real(&mut self, what: &'static str) -> Result<f64, SyntaxError> {
+        let word = self.word().ok_or_else(|| self.missing(what))?;
+        self.real_in(word, what)
+    }
+
+    /// The finite number that a word is.
+    pub fn real_in(&self, word: Word, what: &'static str) -> Result<f64, SyntaxError> {
+        parse_real(word.bytes).ok_or_else(|| {
+            let mut error = self.unexpected(word, what);
+            error.help = number_help(word.bytes, what).or(error.help);
+            error
+        })
+    }
+
+    /// A whole number from `least` to `most`.
+    pub fn integer(
+        &mut self,
+        what: impl Into<Cow<'static, str>>,
+        least: i64,
+        most: i64,
+    ) -> Result<i64, SyntaxError> {
+        match self.word() {
+            Some(word) => self.integer_in(word, what, least, most),
+            None => Err(self.missing(what)),
+        }
+    }
+
+    /// The whole number from `least` to `most` that a word is.
+    pub fn integer_in(
+        &self,
+        word: Word,
+        what: impl Into<Cow<'static, str>>,
+        least: i64,
+        most: i64,
+    ) -> Result<i64, SyntaxError> {
+        match parse_integer(word.bytes) {
+            Some(value) if (least..=most).contains(&value) => Ok(value),
+            _ => {
+                let mut error = self.unexpected(word, what);
+                error.help = number_help(word.bytes, "").or(error.help);
+                Err(error)
+            }
+        }
+    }
+
+    /// The error that a word is not what it should be.
+    pub fn unexpected(&self, word: Word, expected: impl Into<Cow<'static, str>>) -> SyntaxError {
+        let found = Found::Word(String::from_utf8_lossy(word.bytes).into_owned());
+        self.error(word.start, self.line, self.line_start, expected.into(), found)
+    }
+
+    /// The error that the line, or the file, ends where something should stand.
+    pub fn missing(&self, expected: impl Into<Cow<'static, str>>) -> SyntaxError {
+        if self.position < self.text.len() {
+            let end = trimmed_end(self.text, self.line_start, self.position);
+            return self.error(end, self.line, self.line_start, expected.into(), Found::EndOfLine);
+        }
+        // The place to look at is the end of the last line that holds something, not the empty
+        // line after it.
+        let body = self.text.trim_ascii_end();
+        let end = body.len().max(self.text.len().min(self.first_byte()));
+        let start = body.iter().rposition(|&b| b == b'\n' || b == b'\r').map_or(0, |i| i + 1);
+        let after = &self.text[end..];
+        let breaks = count_breaks(after);
+        let line = self.line - breaks;
+        self.error(end, line, start.max(self.first_byte()), expected.into(), Found::EndOfFile)
+    }
+
+    fn first_byte(&self) -> usize {
+        if self.text.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 }
+    }
+
+    fn error(
+        &self,
+        at: usize,
+        line: u32,
+        line_start: usize,
+        expected: Cow<'static, str>,
+        found: Found,
+    ) -> SyntaxError {
+        let rest = &self.text[line_start..];
+        let end = rest.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(rest.len());
+        let before = String::from_utf8_lossy(&self.text[line_start..at]);
+        SyntaxError {
+            file: self.file.into(),
+            line,
+            column: before.chars().count() as u32 + 1,
+            expected,
+            found,
+            help: binary_help(self.text, &rest[..end]),
+            text: String::from_utf8_lossy(&rest[..end]).into(),
+        }
+    }
+
+    fn skip_blanks(&mut self) {
+        while matches!(self.text.get(self.position), Some(b' ' | b'\t' | 0x0b | 0x0c)) {
+            self.position += 1;
+        }
+    }
+
+    fn skip_to_line_end(&mut self) {
+        let rest = &self.text[self.position..];
+        self.position += rest.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(rest.len());
+    }
+
+    /// Steps over a line end: `\n`, `\r\n` or `\r`.
+    fn end_line(&mut self) {
+        let pair = self.text[self.position..].starts_with(b"\r\n");
+        self.position += if pair { 2 } else { 1 };
+        self.line += 1;
+        self.line_start = self.position;
+    }
+}
+
+fn is_white(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | 0x0b | 0x0c)
+}
+
+fn trimmed_end(text: &[u8], start: usize, end: usize) -> usize {
+    start + text[start..end].trim_ascii_end().len()
+}
+
+fn count_breaks(text: &[u8]) -> u32 {
+    let feeds = text.iter().filter(|&&b| b == b'\n').count();
+    let returns = text.iter().enumerate();
+    let lone = returns.filter(|&(i, &b)| b == b'\r' && text.get(i + 1) != Some(&b'\n')).count();
+    (feeds + lone) as u32
+}
+
+/// The finite number that a whole word is: decimal, with `e` or Fortran's `d` before the exponent.
+pub(crate) fn parse_real(word: &[u8]) -> Option<f64> {
+    let value = match fast_float2::parse::<f64, _>(word) {
+        Ok(value) => value,
+        Err(_) => parse_fortran(word)?,
+    };
+    // `inf`, `nan` and 1e400 are numbers to the parser; no coordinate can be one.
+    value.is_finite().then_some(value)
+}
+
+fn parse_fortran(word: &[u8]) -> Option<f64> {
+    let mut copy = [0; 64];
+    let copy = copy.get_mut(..word.len())?;
+    copy.copy_from_slice(word);
+    let exponent = copy.iter().position(|b| matches!(b, b'd' | b'D'))?;
+    copy[exponent] = b'e';
+    fast_float2::parse(&*copy).ok()
+}
+
+/// The whole number that a whole word is: an optional sign and digits.
+pub(crate) fn parse_integer(word: &[u8]) -> Option<i64> {
+    let (negative, digits) = match word {
+        [b'-', digits @ ..] => (true, digits),
+        [b'+', digits @ ..] => (false, digits),
+        digits => (false, digits),
+    };
+    if digits.is_empty() {
+        return None;
+    }
+    digits.iter().try_fold(0_i64, |value, &digit| {
+        let digit = i64::from(digit.wrapping_sub(b'0'));
+        if digit > 9 {
+            return None;
+        }
+        let value = value.checked_mul(10)?;
+        if negative { value.checked_sub(digit) } else { value.checked_add(digit) }
+    })
+}
+
+fn number_help(word: &[u8], what: &str) -> Option<Cow<'static, str>> {
+    if word.contains(&b',') || word.contains(&b';') {
+        let coordinate = what.ends_with("coordinate");
+        let what = if coordinate { "coordinates" } else { "numbers" };
+        return Some(format!("{what} are separated by spaces").into());
+    }
+    let digits = word.iter().any(u8::is_ascii_digit);
+    if digits && fast_float2::parse::<f64, _>(word).is_ok_and(f64::is_infinite) {
+        return Some("the largest number is 1.797e308".into());
+    }
+    None
+}
+
+fn binary_help(text: &[u8], line: &[u8]) -> Option<Cow<'static, str>> {
+    if text.starts_with(b"\xff\xfe") || text.starts_with(b"\xfe\xff") {
+        return Some("the file is UTF-16; save it as UTF-8".into());
+    }
+    if text.starts_with(b"\x1f\x8b") {
+        return Some("the file is compressed with gzip; its name should end in `.gz`".into());
+    }
+    let control = |b: &u8| b.is_ascii_control() && !is_white(*b);
+    line.iter().any(control).then(|| "the file does not look like text".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(text: &str) -> Vec<(u32, String)> {
+        let mut scanner = Scanner::new(text.as_bytes(), "file", Some(b'#'));
+        let mut found = Vec::new();
+        while scanner.next_line() {
+            while let Some(word) = scanner.word() {
+                found.push((scanner.line(), String::from_utf8_lossy(word.bytes).into_owned()));
+            }
+        }
+        found
+    }
+
+    fn place(text: &[u8]) -> (u32, u32) {
+        let mut scanner = Scanner::new(text, "file", Some(b'#'));
+        while scanner.next_line() {
+            while let Some(word) = scanner.word() {
+                if word.bytes == b"here" {
+                    let error = scanner.unexpected(word, "nothing");
+                    return (error.line, error.column);
+                }
+            }
+        }
+        let error = scanner.missing("something");
+        (error.line, error.column)
+    }
+
+    #[test]
+    fn words_end_at_white_space_comments_and_line_ends() {
+        let expected = [(1, "a"), (1, "b"), (3, "c"), (4, "d"), (5, "e")];
+        let expected: Vec<_> = expected.iter().map(|&(l, w)| (l, w.to_owned())).collect();
+        assert_eq!(words("\u{feff}a\t b#comment\r\n# all\n  c # rest\rd\ne"), expected);
+    }
+
+    #[test]
+    fn columns_count_characters_from_one() {
+        assert_eq!(place(b"\xef\xbb\xbfhere"), (1, 1));
+        assert_eq!(place("ä\r\nöö\there".as_bytes()), (2, 4));
+        assert_eq!(place(b"\xff\xff here"), (1, 4));
+    }
+
+    #[test]
+    fn the_end_of_the_file_is_the_end_of_its_last_line_with_text() {
+        assert_eq!(place(b""), (1, 1));
+        assert_eq!(place(b"\xef\xbb\xbf"), (1, 1));
+        assert_eq!(place(b"a\nbc"), (2, 3));
+        assert_eq!(place(b"a\nbc\n"), (2, 3));
+        assert_eq!(place(b"a\r\nbc \r\n\r\n"), (2, 3));
+        assert_eq!(place(b"\n\n"), (1, 1));
+    }
+
+    #[test]
+    fn numbers_are_read_in_all_their_spellings() {
+        let spellings: [(&str, f64); 12] = [
+            ("1", 1.0),
+            ("+1.", 1.0),
+            (".5", 0.5),
+            ("-.0E+00", -0.0),
+            ("-.000000E+00", -0.0),
+            ("0.418893E+02", 41.8893),
+            ("0.0D0", 0.0),
+            ("0.D0", 0.0),
+            ("10.0D-1", 1.0),
+            ("1.0d0", 1.0),
+            ("1e-400", 0.0),
+            ("0.1000000000000000055511151231257827021181583404541015625", 0.1),
+        ];
+        for (word, value) in spellings {
+            let read = parse_real(word.as_bytes()).map(f64::to_bits);
+            assert_eq!(read, Some(value.to_bits()), "{word}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_finite_number_is_refused() {
+        for word in [
+            "",
+            "-",
+            ".",
+            "0,0",
+            "1.0.0",
+            "nan",
+            "inf",
+            "-Infinity",
+            "1e999",
+            "1d999",
+            "1e",
+            "d5",
+            "1d",
+            "1dd0",
+            "0x10",
+            "1_000",
+            "१",
+            "--1",
+            "1e5d5",
+        ] {
+            assert_eq!(parse_real(word.as_bytes()), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn whole_numbers_do_not_wrap() {
+        assert_eq!(parse_integer(b"-9223372036854775808"), Some(i64::MIN));
+        assert_eq!(parse_integer(b"+9223372036854775807"), Some(i64::MAX));
+        for word in ["9223372036854775808", "99999999999999999999", "", "-", "1.0", "1e3", "1-"] {
+            assert_eq!(parse_integer(word.as_bytes()), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn a_long_or_binary_line_is_cut_and_made_printable() {
+        let mut text = vec![b'1'; 5000];
+        text[2500] = b' ';
+        text.extend(b"\x1b[31m\n");
+        let mut scanner = Scanner::new(&text, "file", None);
+        scanner.next_line();
+        scanner.word();
+        let word = scanner.word().unwrap();
+        let message = scanner.unexpected(word, "an end").to_string();
+        assert!(message.chars().count() < 500, "{message}");
+        assert!(!message.contains('\x1b'), "{message}");
+        assert!(message.ends_with("help: the file does not look like text"), "{message}");
+    }
+}
