@@ -1,0 +1,28 @@
+"""What is known of `two_rooms.poly` without a mesher."""
+
+import math
+
+import numpy as np
+
+AREAS = {11: 1.2 * 0.7 - 2 * 0.15**2, 12: 0.9 * 0.7}
+LENGTHS = {1: 4.2, 2: 0.7, 3: 0.7, 7: 0.7, 9: 4 * 0.15 * math.sqrt(2)}
+NAMES = {(1, tag): f"boundary_{tag}" for tag in LENGTHS} | {
+    (2, tag): f"region_{tag}" for tag in AREAS
+}
+CORNERS = [
+    (0.1, 0.2), (1.3, 0.2), (2.2, 0.2), (2.2, 0.9), (1.3, 0.9), (0.1, 0.9),
+    (0.75, 0.55), (0.6, 0.7), (0.45, 0.55), (0.6, 0.4),
+]  # fmt: skip
+
+
+def measures(tags, sizes):
+    """The sum of the sizes of each tag's cells."""
+    tags, sizes = np.asarray(tags), np.asarray(sizes)
+    return {int(tag): float(sizes[tags == tag].sum()) for tag in np.unique(tags)}
+
+
+def same(found, wanted):
+    """Whether two tables of measures agree to rounding."""
+    return found.keys() == wanted.keys() and all(
+        math.isclose(found[tag], wanted[tag], rel_tol=1e-12) for tag in wanted
+    )

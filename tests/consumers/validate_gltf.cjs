@@ -1,0 +1,10 @@
+// Prints the Khronos validator's report on a file.
+const { readFileSync } = require("node:fs");
+const { validateBytes } = require("gltf-validator");
+
+validateBytes(new Uint8Array(readFileSync(process.argv[2])))
+  .then((report) => console.log(JSON.stringify(report)))
+  .catch((error) => {
+    console.error(error);
+    process.exit(1);
+  });
