@@ -47,11 +47,9 @@ fn rotational(points: &[[f64; 2]], segments: &[[u32; 2]], apex: u32, s: u32, t: 
     let place = |segment: u32| points[other_end(segments[segment as usize], apex) as usize];
     let leads_left = |place| lexicographic(place, apex_place).is_lt();
     let (a, b) = (place(s), place(t));
-    leads_left(a)
-        .cmp(&leads_left(b))
-        .then_with(|| match side(apex_place, a, b) {
-            Side::Left => Ordering::Less,
-            Side::On => Ordering::Equal,
-            Side::Right => Ordering::Greater,
-        })
+    leads_left(a).cmp(&leads_left(b)).then_with(|| match side(apex_place, a, b) {
+        Side::Left => Ordering::Less,
+        Side::On => Ordering::Equal,
+        Side::Right => Ordering::Greater,
+    })
 }

@@ -93,12 +93,12 @@ impl fmt::Display for Warning {
                     write!(f, "\n  {merged} is {kept}")?;
                     merged.quote(f)?;
                 }
-                more(f, *count, first.len())
+                more(f, *count, first.len(), false)
             }
             Self::ZeroLength { count, first } => {
                 write!(f, "{} of length zero dropped", count_of(*count, "segment"))?;
                 first.iter().try_for_each(|segment| segment.quote(f))?;
-                more(f, *count, first.len())
+                more(f, *count, first.len(), false)
             }
             Self::DuplicateSegments { count, first } => {
                 write!(f, "{} dropped", count_of(*count, "duplicate segment"))?;
@@ -106,19 +106,16 @@ impl fmt::Display for Warning {
                     write!(f, "\n  {dropped} is {kept} again")?;
                     dropped.quote(f)?;
                 }
-                more(f, *count, first.len())
+                more(f, *count, first.len(), false)
             }
             Self::TagsDiffer { count, first, tags } => {
                 let segments = count_of(*count, "duplicate segment");
-                write!(
-                    f,
-                    "{segments} with another tag dropped: the first tag stays"
-                )?;
+                write!(f, "{segments} with another tag dropped: the first tag stays")?;
                 for ([kept, dropped], [tag, other]) in first.iter().zip(tags) {
                     write!(f, "\n  {dropped} (tag {other}) is {kept} (tag {tag}) again")?;
                     dropped.quote(f)?;
                 }
-                more(f, *count, first.len())
+                more(f, *count, first.len(), false)
             }
             Self::NoSegments => write!(f, "no segments: the convex hull of the points is meshed"),
         }
@@ -130,13 +127,44 @@ pub(super) fn count_of(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
-/// The line after the first few of a kind.
-fn more(f: &mut fmt::Formatter<'_>, count: usize, shown: usize) -> fmt::Result {
-    if count > shown {
-        write!(f, "\n  and {} more", count - shown)
-    } else {
-        Ok(())
+/// The line after the first few of a kind, where there are more.
+pub(super) fn more(
+    f: &mut fmt::Formatter<'_>,
+    count: usize,
+    shown: usize,
+    at_least: bool,
+) -> fmt::Result {
+    match (count - shown, at_least) {
+        (0, _) => Ok(()),
+        (rest, false) => write!(f, "\nand {rest} more"),
+        (rest, true) => write!(f, "\nand at least {rest} more"),
     }
+}
+
+/// A number as people write it: without an exponent where it needs none.
+pub(super) fn number(x: f64) -> String {
+    if x == 0.0 || (1e-5..1e15).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
+}
+
+/// A place, rounded to about a thousandth of the extent of `points`.
+pub(super) fn rounded(place: [f64; 2], points: &[[f64; 2]]) -> [f64; 2] {
+    let extent = |k: usize| {
+        let (low, high) = points
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p[k]), h.max(p[k])));
+        high - low
+    };
+    let digits = 2.0 - libm::floor(libm::log10(extent(0).max(extent(1))));
+    place.map(|c| {
+        let text = if digits < 0.0 {
+            format!("{c:.0}")
+        } else if digits < 20.0 {
+            format!("{c:.*}", digits as usize)
+        } else {
+            format!("{c:.2e}")
+        };
+        text.parse().unwrap_or(c)
+    })
 }
 
 /// The lines that show where items stand.

@@ -9,10 +9,7 @@ pub fn hull_edges(points: &[[f64; 2]], order: &[u32]) -> Vec<[u32; 2]> {
     let upper = chain(points, order.iter().rev().copied());
     // Collinear points: both chains run along the same line.
     if edges.len() == upper.len()
-        && edges
-            .iter()
-            .zip(upper.iter().rev())
-            .all(|(&[a, b], &[c, d])| [a, b] == [d, c])
+        && edges.iter().zip(upper.iter().rev()).all(|(&[a, b], &[c, d])| [a, b] == [d, c])
     {
         return Vec::new();
     }

@@ -59,13 +59,7 @@ impl Item {
             }
         };
         let line = lines.get(index_in_array).map(|&line| (file.clone(), line));
-        Self {
-            kind,
-            index,
-            number,
-            line,
-            values,
-        }
+        Self { kind, index, number, line, values }
     }
 
     /// A line of a message that shows where the item stands and its numbers, such as

@@ -28,11 +28,7 @@ pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -
             first[pair[1] as usize] = first[pair[0] as usize];
         }
     }
-    let mut merged = Points {
-        points: Vec::new(),
-        input: Vec::new(),
-        distinct: Vec::new(),
-    };
+    let mut merged = Points { points: Vec::new(), input: Vec::new(), distinct: Vec::new() };
     let mut duplicates = Vec::new();
     for (index, &same) in (0..).zip(&first) {
         if same == index {
@@ -80,22 +76,14 @@ pub fn segments(pslg: &Pslg, distinct: &[u32], warnings: &mut Vec<Warning>) -> S
         }
     }
 
-    let mut kept = Segments {
-        segments: Vec::new(),
-        input: Vec::new(),
-        tags: Vec::new(),
-    };
+    let mut kept = Segments { segments: Vec::new(), input: Vec::new(), tags: Vec::new() };
     let (mut zero, mut twice, mut other_tag) = (Vec::new(), Vec::new(), Vec::new());
     for (index, &same) in (0..).zip(&first) {
         let [a, b] = ends(index);
         if a == b {
             zero.push(index);
         } else if same != index {
-            let list = if tag(same) == tag(index) {
-                &mut twice
-            } else {
-                &mut other_tag
-            };
+            let list = if tag(same) == tag(index) { &mut twice } else { &mut other_tag };
             list.push([same, index]);
         } else {
             kept.segments.push([a, b]);
@@ -104,39 +92,21 @@ pub fn segments(pslg: &Pslg, distinct: &[u32], warnings: &mut Vec<Warning>) -> S
         }
     }
     if !zero.is_empty() {
-        let first = zero
-            .iter()
-            .take(3)
-            .map(|&i| Item::new(pslg, Kind::Segment, i))
-            .collect();
-        warnings.push(Warning::ZeroLength {
-            count: zero.len(),
-            first,
-        });
+        let first = zero.iter().take(3).map(|&i| Item::new(pslg, Kind::Segment, i)).collect();
+        warnings.push(Warning::ZeroLength { count: zero.len(), first });
     }
     if !twice.is_empty() {
         let first = pairs(pslg, Kind::Segment, &twice);
-        warnings.push(Warning::DuplicateSegments {
-            count: twice.len(),
-            first,
-        });
+        warnings.push(Warning::DuplicateSegments { count: twice.len(), first });
     }
     if !other_tag.is_empty() {
         let tags = other_tag.iter().take(3).map(|pair| pair.map(tag)).collect();
         let first = pairs(pslg, Kind::Segment, &other_tag);
-        warnings.push(Warning::TagsDiffer {
-            count: other_tag.len(),
-            first,
-            tags,
-        });
+        warnings.push(Warning::TagsDiffer { count: other_tag.len(), first, tags });
     }
     kept
 }
 
 fn pairs(pslg: &Pslg, kind: Kind, pairs: &[[u32; 2]]) -> Vec<[Item; 2]> {
-    pairs
-        .iter()
-        .take(3)
-        .map(|pair| pair.map(|index| Item::new(pslg, kind, index)))
-        .collect()
+    pairs.iter().take(3).map(|pair| pair.map(|index| Item::new(pslg, kind, index))).collect()
 }

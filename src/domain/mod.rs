@@ -1,6 +1,10 @@
 //! Assumption 1: from an outline to a domain that may be refined.
 
+mod accurate;
 mod adjoining;
+mod angles;
+mod boxes;
+mod closest;
 mod conflicts;
 mod error;
 mod hull;
@@ -14,10 +18,13 @@ mod tests;
 
 use std::cmp::Ordering;
 
-pub use conflicts::{Conflict, Conflicts};
+pub use angles::Angle;
+pub use closest::{ClosestPair, Feature};
+pub use conflicts::{Conflict, ConflictKind, Conflicts};
 pub use error::{Error, Item, Kind, Warning};
 
 use crate::{Pslg, Region};
+use conflicts::Dirty;
 use sweep::Linework;
 
 /// A PSLG for which Assumption 1 holds exactly, in the coordinates that the refinement works in.
@@ -80,28 +87,18 @@ impl Domain {
         let scaled = |place| range::scaled(place, scale_exponent);
 
         let scaled_points = pslg.points.iter().copied().map(scaled).collect();
-        let merge::Points {
-            points,
-            input: input_points,
-            distinct,
-        } = merge::points(pslg, scaled_points, &mut warnings);
-        let merge::Segments {
-            mut segments,
-            input: mut input_segments,
-            tags: mut segment_tags,
-        } = merge::segments(pslg, &distinct, &mut warnings);
+        let merge::Points { points, input: input_points, distinct } =
+            merge::points(pslg, scaled_points, &mut warnings);
+        let merge::Segments { mut segments, input: mut input_segments, tags: mut segment_tags } =
+            merge::segments(pslg, &distinct, &mut warnings);
 
         let order = lexicographic_order(&points);
         let hull_edges = hull::hull_edges(&points, &order);
         if points.len() < 3 {
-            return Err(Error::TooFewPoints {
-                points: points.len(),
-            });
+            return Err(Error::TooFewPoints { points: points.len() });
         }
         if hull_edges.is_empty() {
-            return Err(Error::Collinear {
-                points: points.len(),
-            });
+            return Err(Error::Collinear { points: points.len() });
         }
         if segments.is_empty() {
             warnings.push(Warning::NoSegments);
@@ -123,17 +120,19 @@ impl Domain {
         };
         let holes: Vec<_> = pslg.holes.iter().copied().map(scaled).collect();
         sweep::sweep(&linework, &holes).map_err(|violation| {
-            let inputs = [&input_points[..], &input_segments];
-            Error::Conflicts(Box::new(conflicts::conflicts(
-                pslg, &linework, inputs, violation,
-            )))
+            let dirty = Dirty {
+                pslg,
+                linework,
+                input_points: &input_points,
+                input_segments: &input_segments,
+                scale_exponent,
+            };
+            Error::Conflicts(Box::new(dirty.conflicts(violation)))
         })?;
 
         let regions = pslg.regions.iter().map(|region| crate::formats::Region {
             seed: scaled(region.seed),
-            max_area: region
-                .max_area
-                .map(|area| libm::scalbn(area, -2 * scale_exponent)),
+            max_area: region.max_area.map(|area| libm::scalbn(area, -2 * scale_exponent)),
             ..*region
         });
         let regions = regions.collect();

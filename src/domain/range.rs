@@ -20,27 +20,17 @@ pub fn scale_exponent(pslg: &Pslg) -> Result<i32, Error> {
     let mut largest = 0.0_f64;
     for (index, point) in (0..).zip(&pslg.points) {
         if !point.iter().all(|c| c.is_finite()) {
-            return Err(Error::NotFinite {
-                item: Item::new(pslg, Kind::Point, index),
-            });
+            return Err(Error::NotFinite { item: Item::new(pslg, Kind::Point, index) });
         }
         largest = largest.max(point[0].abs()).max(point[1].abs());
     }
     let exponent = exponent(largest);
-    let scale = if exponent.abs() > UNSCALED {
-        exponent
-    } else {
-        0
-    };
+    let scale = if exponent.abs() > UNSCALED { exponent } else { 0 };
     for (index, point) in (0..).zip(&pslg.points) {
         let too_small = |c: f64| c != 0.0 && self::exponent(c) - scale < SMALLEST;
         if let Some(&coordinate) = point.iter().find(|&&c| too_small(c)) {
             let item = Item::new(pslg, Kind::Point, index);
-            return Err(Error::TooSmall {
-                item,
-                coordinate,
-                largest,
-            });
+            return Err(Error::TooSmall { item, coordinate, largest });
         }
     }
     Ok(scale)

@@ -46,13 +46,7 @@ pub struct Status {
 impl Status {
     /// The empty status.
     pub fn new() -> Self {
-        Self {
-            nodes: Vec::new(),
-            free: Vec::new(),
-            root: NONE,
-            first: NONE,
-            random: 0,
-        }
+        Self { nodes: Vec::new(), free: Vec::new(), root: NONE, first: NONE, random: 0 }
     }
 
     /// The segment of a node.
@@ -104,11 +98,7 @@ impl Status {
 
     /// Inserts a segment directly above the node `below` ([`NONE`]: at the bottom).
     pub fn insert_above(&mut self, below: u32, segment: u32, ends: [[f64; 2]; 2]) -> u32 {
-        let next = if below == NONE {
-            self.first
-        } else {
-            self.above(below)
-        };
+        let next = if below == NONE { self.first } else { self.above(below) };
         // Directly above `below` is its right child's place, or, where that is taken, the left
         // child's place of the next node, which is then the lowest below that right child.
         let (parent, right) = if below != NONE && self.nodes[below as usize].children[1] == NONE {
@@ -117,15 +107,8 @@ impl Status {
             (next, 0)
         };
         let priority = self.next_random();
-        let fresh = Node {
-            segment,
-            ends,
-            previous: below,
-            next,
-            parent,
-            children: [NONE; 2],
-            priority,
-        };
+        let fresh =
+            Node { segment, ends, previous: below, next, parent, children: [NONE; 2], priority };
         let node = match self.free.pop() {
             Some(node) => {
                 self.nodes[node as usize] = fresh;

@@ -98,11 +98,7 @@ struct Sweep<'a> {
 
 impl<'a> Sweep<'a> {
     fn new(linework: &'a Linework<'a>) -> Self {
-        Self {
-            linework,
-            status: Status::new(),
-            node: vec![NONE; linework.segments.len()],
-        }
+        Self { linework, status: Status::new(), node: vec![NONE; linework.segments.len()] }
     }
 
     fn locate(&self, place: [f64; 2]) -> Place {
@@ -145,23 +141,13 @@ impl<'a> Sweep<'a> {
                 self.no_crossing(last, above)?;
             }
         }
-        Ok(if below == NONE {
-            u32::MAX
-        } else {
-            self.status.segment(below)
-        })
+        Ok(if below == NONE { u32::MAX } else { self.status.segment(below) })
     }
 
     /// The segments that start at a point, from bottom to top, and those that end there, from top
     /// to bottom.
     fn starting_and_ending(&self, point: u32) -> (&'a [u32], &'a [u32]) {
-        let Linework {
-            points,
-            segments,
-            adjoining_start,
-            adjoining,
-            ..
-        } = *self.linework;
+        let Linework { points, segments, adjoining_start, adjoining, .. } = *self.linework;
         let range =
             adjoining_start[point as usize] as usize..adjoining_start[point as usize + 1] as usize;
         let all = &adjoining[range];
@@ -176,10 +162,7 @@ impl<'a> Sweep<'a> {
     /// lie between those two, and no other.
     fn neighbours(&self, point: u32, ending: &[u32]) -> Result<[u32; 2], Violation> {
         let place = self.linework.points[point as usize];
-        let on = |node| Violation::PointOnSegment {
-            point,
-            segment: self.status.segment(node),
-        };
+        let on = |node| Violation::PointOnSegment { point, segment: self.status.segment(node) };
         let (Some(&highest), Some(&lowest)) = (ending.first(), ending.last()) else {
             return match self.status.find(place) {
                 Position::Between { below, above } => Ok([below, above]),
@@ -218,9 +201,7 @@ impl<'a> Sweep<'a> {
     fn no_crossing(&self, below: u32, above: u32) -> Result<(), Violation> {
         if below != NONE && above != NONE && cross(self.status.ends(below), self.status.ends(above))
         {
-            return Err(Violation::Segments(
-                [below, above].map(|node| self.status.segment(node)),
-            ));
+            return Err(Violation::Segments([below, above].map(|node| self.status.segment(node))));
         }
         Ok(())
     }
@@ -229,11 +210,7 @@ impl<'a> Sweep<'a> {
     fn ends(&self, segment: u32) -> [[f64; 2]; 2] {
         let [a, b] =
             self.linework.segments[segment as usize].map(|end| self.linework.points[end as usize]);
-        if lexicographic(a, b).is_lt() {
-            [a, b]
-        } else {
-            [b, a]
-        }
+        if lexicographic(a, b).is_lt() { [a, b] } else { [b, a] }
     }
 }
 

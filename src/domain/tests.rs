@@ -30,10 +30,7 @@ fn lies_on(p: [i64; 2], [a, b]: [[i64; 2]; 2]) -> bool {
 fn is_clean(points: &[[i64; 2]], segments: &[[u32; 2]]) -> bool {
     let place = |s: [u32; 2]| s.map(|end| points[end as usize]);
     for &s in segments {
-        if points
-            .iter()
-            .any(|&p| !place(s).contains(&p) && lies_on(p, place(s)))
-        {
+        if points.iter().any(|&p| !place(s).contains(&p) && lies_on(p, place(s))) {
             return false;
         }
     }
@@ -53,10 +50,7 @@ fn soups() -> impl Strategy<Value = (Vec<[i64; 2]>, Vec<[u32; 2]>)> {
     (3_usize..12, 2_i64..40).prop_flat_map(|(count, size)| {
         let point = [0..size, 0..size];
         let end = 0..count as u32;
-        (
-            prop::collection::vec(point, count),
-            prop::collection::vec([end.clone(), end], 0..8),
-        )
+        (prop::collection::vec(point, count), prop::collection::vec([end.clone(), end], 0..8))
     })
 }
 
