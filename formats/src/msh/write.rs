@@ -47,7 +47,7 @@ pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
     write_with(mesh, Options::default(), out)
 }
 
-/// Writes a mesh as [`write`] does, with options.
+/// Writes a mesh as [`write()`] does, with options.
 ///
 /// # Errors
 /// Those of `out`.

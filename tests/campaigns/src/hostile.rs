@@ -2,7 +2,7 @@
 //!
 //! An outline starts as a closed *ground* (a frame, a blob, a spiky star, a lattice, a wheel, a
 //! comb; now and then several of them) and gets *burdens*: wedges, hairs along other segments,
-//! fans, slivers, slits, holes, near misses. [`Sketch`](crate::sketch::Sketch) takes a burden only if the outline stays
+//! fans, slivers, slits, holes, near misses. [`Sketch`] takes a burden only if the outline stays
 //! clean and disjoint features keep their distance; at last the outline is moved about.
 //!
 //! Two segments are *disjoint* if they have no common end. No two of them come nearer than
