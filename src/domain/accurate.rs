@@ -48,3 +48,13 @@ fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let error = (-c).mul_add(d, cd);
     a.mul_add(b, -cd) + error
 }
+
+/// A sum whose rounding errors are summed too (Neumaier).
+pub fn sum(terms: impl Iterator<Item = f64>) -> f64 {
+    let (sum, error) = terms.fold((0.0_f64, 0.0), |(sum, error), term| {
+        let next = sum + term;
+        let (larger, smaller) = if sum.abs() >= term.abs() { (sum, term) } else { (term, sum) };
+        (next, error + ((larger - next) + smaller))
+    });
+    sum + error
+}

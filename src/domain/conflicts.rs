@@ -11,7 +11,7 @@ use crate::Pslg;
 use crate::predicates::{Side, side};
 
 /// This many of a kind are named in full.
-const IN_FULL: usize = 3;
+pub(super) const IN_FULL: usize = 3;
 
 /// The search for conflicts ends after this many pairs of segments with overlapping boxes.
 const MOST_PAIRS: usize = 20_000_000;
@@ -246,10 +246,8 @@ impl Dirty<'_> {
     }
 
     fn is_isolated(&self, point: u32) -> bool {
-        let Linework { adjoining_start, adjoining, .. } = self.linework;
-        let range =
-            adjoining_start[point as usize] as usize..adjoining_start[point as usize + 1] as usize;
-        adjoining[range].iter().all(|&s| self.input_segments[s as usize] == u32::MAX)
+        let adjoining = self.linework.adjoining_at(point);
+        adjoining.iter().all(|&s| self.input_segments[s as usize] == u32::MAX)
     }
 
     fn ends(&self, segment: u32) -> [[f64; 2]; 2] {

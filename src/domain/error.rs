@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::conflicts::Conflicts;
+use super::conflicts::{Conflicts, IN_FULL};
 pub use super::item::{Item, Kind};
 
 /// Why an outline cannot be meshed. Items are named by the numbers and lines of their file.
@@ -44,6 +44,78 @@ pub enum Error {
     /// Segments cross, touch or overlap.
     #[error("{0}")]
     Conflicts(Box<Conflicts>),
+    /// The seed of a hole or region lies on the outline.
+    #[error(
+        "{seed} lies on {on}: it does not say which side is meant{}\nhelp: move it inside",
+        Quoted(&[seed, on])
+    )]
+    SeedOnOutline {
+        /// The seed.
+        seed: Item,
+        /// The point or segment that it lies on.
+        on: Item,
+    },
+    /// The segments form no closed loop.
+    #[error(
+        "the outline encloses nothing{open_ends}\n\
+         help: `--region hull` meshes the convex hull of the points"
+    )]
+    EnclosesNothing {
+        /// Where it is open.
+        open_ends: OpenEnds,
+    },
+    /// The holes take everything out.
+    #[error("the holes leave nothing to mesh{}{open_ends}", Quoted(&holes.iter().take(IN_FULL).collect::<Vec<_>>()))]
+    HolesLeaveNothing {
+        /// The holes.
+        holes: Vec<Item>,
+        /// Where their outlines may be open.
+        open_ends: OpenEnds,
+    },
+}
+
+/// Points at which a single segment ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenEnds {
+    /// How many there are.
+    pub count: usize,
+    /// Those with the narrowest gaps.
+    pub first: Vec<OpenEnd>,
+}
+
+/// A point at which a single segment ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenEnd {
+    /// The point.
+    pub point: Item,
+    /// The nearest other one and its distance, in the units of the outline.
+    pub nearest: Option<(Item, f64)>,
+}
+
+impl fmt::Display for OpenEnds {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, OpenEnd { point, nearest }) in self.first.iter().enumerate() {
+            f.write_str(if index == 0 { ": " } else { "\n" })?;
+            match nearest {
+                None => write!(f, "{point} is an open end{}", Quoted(&[point]))?,
+                Some((other, distance)) => {
+                    let [a, b] = [point.number, other.number];
+                    write!(
+                        f,
+                        "points {a} and {b} are open ends, {} apart",
+                        significant(*distance)
+                    )?;
+                    write!(f, "{}", Quoted(&[point, other]))?;
+                }
+            }
+        }
+        let named = |end: &OpenEnd| 1 + usize::from(end.nearest.is_some());
+        let named: usize = self.first.iter().map(named).sum();
+        if self.count > named {
+            write!(f, "\nand {} more", count_of(self.count - named, "open end"))?;
+        }
+        Ok(())
+    }
 }
 
 /// What was merged, dropped or left out: nothing is in silence. `first` holds the first three.
@@ -82,6 +154,34 @@ pub enum Warning {
     },
     /// The outline has no segments: the convex hull of its points is meshed.
     NoSegments,
+    /// Seeds of holes or regions outside of the outline were ignored.
+    SeedsOutside {
+        /// How many.
+        count: usize,
+        /// The seeds.
+        first: Vec<Item>,
+    },
+    /// Region seeds in holes were ignored.
+    RegionsInHoles {
+        /// How many.
+        count: usize,
+        /// The seeds.
+        first: Vec<Item>,
+    },
+    /// Region seeds in a face that holds another one before them were ignored.
+    RegionsShareFace {
+        /// How many.
+        count: usize,
+        /// Pairs of the seed that counts and the one ignored.
+        first: Vec<[Item; 2]>,
+    },
+    /// Points or segments outside of what is meshed are left out.
+    LeftOut {
+        /// How many.
+        count: usize,
+        /// The points, or the segments.
+        first: Vec<Item>,
+    },
 }
 
 impl fmt::Display for Warning {
@@ -95,11 +195,7 @@ impl fmt::Display for Warning {
                 }
                 more(f, *count, first.len(), false)
             }
-            Self::ZeroLength { count, first } => {
-                write!(f, "{} of length zero dropped", count_of(*count, "segment"))?;
-                first.iter().try_for_each(|segment| segment.quote(f))?;
-                more(f, *count, first.len(), false)
-            }
+            Self::ZeroLength { count, first } => list(f, *count, first, "of length zero dropped"),
             Self::DuplicateSegments { count, first } => {
                 write!(f, "{} dropped", count_of(*count, "duplicate segment"))?;
                 for [kept, dropped] in first {
@@ -118,8 +214,44 @@ impl fmt::Display for Warning {
                 more(f, *count, first.len(), false)
             }
             Self::NoSegments => write!(f, "no segments: the convex hull of the points is meshed"),
+            Self::SeedsOutside { count, first } => {
+                list(f, *count, first, "outside of the outline ignored")
+            }
+            Self::RegionsInHoles { count, first } => list(f, *count, first, "in a hole ignored"),
+            Self::RegionsShareFace { count, first } => {
+                write!(
+                    f,
+                    "{} in a region that has a seed already ignored",
+                    count_of(*count, "region seed")
+                )?;
+                for [kept, ignored] in first {
+                    write!(f, "\n  {ignored} is {kept} again")?;
+                    ignored.quote(f)?;
+                }
+                more(f, *count, first.len(), false)
+            }
+            Self::LeftOut { count, first } => {
+                list(f, *count, first, "outside of what is meshed left out")
+            }
         }
     }
+}
+
+/// `2 segments of length zero dropped`, and where the first ones stand.
+fn list(f: &mut fmt::Formatter<'_>, count: usize, first: &[Item], what: &str) -> fmt::Result {
+    let noun = match first.first().map(|item| item.kind) {
+        Some(Kind::Hole) => "hole seed",
+        Some(Kind::Region) => "region seed",
+        Some(Kind::Segment) => "segment",
+        Some(Kind::Point) | None => "point",
+    };
+    write!(f, "{} {what}{}", count_of(count, noun), Quoted(&first.iter().collect::<Vec<_>>()))?;
+    more(f, count, first.len(), false)
+}
+
+/// A length to three significant digits.
+fn significant(x: f64) -> String {
+    number(format!("{x:.2e}").parse().unwrap_or(x))
 }
 
 /// `1 point`, `2 points`.

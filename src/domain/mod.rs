@@ -7,9 +7,11 @@ mod boxes;
 mod closest;
 mod conflicts;
 mod error;
+mod faces;
 mod hull;
 mod item;
 mod merge;
+mod meshed;
 mod range;
 mod status;
 mod sweep;
@@ -21,10 +23,12 @@ use std::cmp::Ordering;
 pub use angles::Angle;
 pub use closest::{ClosestPair, Feature};
 pub use conflicts::{Conflict, ConflictKind, Conflicts};
-pub use error::{Error, Item, Kind, Warning};
+pub use error::{Error, Item, Kind, OpenEnd, OpenEnds, Warning};
+pub use faces::{Faces, OUTSIDE};
 
 use crate::{Pslg, Region};
 use conflicts::Dirty;
+use meshed::{Clean, Meshed};
 use sweep::Linework;
 
 /// A PSLG for which Assumption 1 holds exactly, in the coordinates that the refinement works in.
@@ -44,9 +48,14 @@ pub struct Domain {
     pub input_segments: Vec<u32>,
     /// Boundary tag of each segment (0: untagged).
     pub segment_tags: Vec<i32>,
-    /// Hole seeds, scaled.
+    /// The faces between the segments: which are meshed, and their regions.
+    pub faces: Faces,
+    /// Whether each point lies in a meshed face or on the boundary of one; the others do not
+    /// belong to the mesh.
+    pub meshed_points: Vec<bool>,
+    /// The hole seeds that take a face out, scaled.
     pub holes: Vec<[f64; 2]>,
-    /// Region seeds, scaled (areas too).
+    /// The region seeds that count, one for each meshed face that has any, scaled (areas too).
     pub regions: Vec<crate::formats::Region>,
     /// Input coordinates = these coordinates × 2^`scale_exponent`; 0 unless the outline's
     /// largest coordinate has an exponent outside ±100.
@@ -118,8 +127,9 @@ impl Domain {
             adjoining_start: &adjoining_start,
             adjoining: &adjoining,
         };
-        let holes: Vec<_> = pslg.holes.iter().copied().map(scaled).collect();
-        sweep::sweep(&linework, &holes).map_err(|violation| {
+        let region_seeds = pslg.regions.iter().map(|region| region.seed);
+        let seeds: Vec<_> = pslg.holes.iter().copied().chain(region_seeds).map(scaled).collect();
+        let located = sweep::sweep(&linework, &seeds).map_err(|violation| {
             let dirty = Dirty {
                 pslg,
                 linework,
@@ -129,11 +139,24 @@ impl Domain {
             };
             Error::Conflicts(Box::new(dirty.conflicts(violation)))
         })?;
+        let clean = Clean {
+            pslg,
+            linework,
+            located,
+            input_points: &input_points,
+            input_segments: &input_segments,
+        };
+        let Meshed { faces, holes, regions, points: meshed_points } =
+            clean.meshed(&mut warnings)?;
 
-        let regions = pslg.regions.iter().map(|region| crate::formats::Region {
-            seed: scaled(region.seed),
-            max_area: region.max_area.map(|area| libm::scalbn(area, -2 * scale_exponent)),
-            ..*region
+        let holes = holes.iter().map(|&hole| seeds[hole as usize]).collect();
+        let regions = regions.iter().map(|&region| {
+            let region = &pslg.regions[region as usize];
+            crate::formats::Region {
+                seed: scaled(region.seed),
+                max_area: region.max_area.map(|area| libm::scalbn(area, -2 * scale_exponent)),
+                ..*region
+            }
         });
         let regions = regions.collect();
         let domain = Self {
@@ -142,6 +165,8 @@ impl Domain {
             segments,
             input_segments,
             segment_tags,
+            faces,
+            meshed_points,
             holes,
             regions,
             scale_exponent,
@@ -150,6 +175,23 @@ impl Domain {
             adjoining,
         };
         Ok((domain, warnings))
+    }
+
+    /// The area of what is meshed, in the squared units of the outline (infinite where that is
+    /// beyond doubles).
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let origin = self.points[0];
+        let from_origin = |end: u32| accurate::vector(origin, self.points[end as usize]);
+        let twice_area = accurate::sum((0..).zip(&self.segments).map(|(segment, &[a, b])| {
+            let [left, right] = self.faces.sides(segment).map(|face| self.faces.is_meshed(face));
+            if left == right {
+                0.0
+            } else {
+                from_origin(a).cross(from_origin(b)) * if left { 1.0 } else { -1.0 }
+            }
+        }));
+        libm::scalbn(0.5 * twice_area, 2 * self.scale_exponent)
     }
 
     /// The segments that end at a point, counter-clockwise.

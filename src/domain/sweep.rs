@@ -25,6 +25,14 @@ pub struct Linework<'a> {
     pub adjoining: &'a [u32],
 }
 
+impl<'a> Linework<'a> {
+    /// The segments that end at a point, counter-clockwise from straight down.
+    pub fn adjoining_at(&self, point: u32) -> &'a [u32] {
+        let [start, end] = [point, point + 1].map(|p| self.adjoining_start[p as usize] as usize);
+        &self.adjoining[start..end]
+    }
+}
+
 /// What a clean sweep finds.
 #[derive(Debug)]
 pub struct Located {
@@ -70,7 +78,13 @@ pub fn sweep(linework: &Linework, seeds: &[[f64; 2]]) -> Result<Located, Violati
         below: vec![u32::MAX; linework.points.len()],
         seeds: vec![Place::Above(u32::MAX); seeds.len()],
     };
-    let mut seed_order: Vec<u32> = (0..seeds.len() as u32).collect();
+    // A seed beyond the points may be too far off for exact arithmetic.
+    let (low, high) = vertical_extent(linework.points);
+    let is_near = |&seed: &u32| {
+        let [x, y] = seeds[seed as usize];
+        x.is_finite() && (low..=high).contains(&y)
+    };
+    let mut seed_order: Vec<u32> = (0..seeds.len() as u32).filter(is_near).collect();
     seed_order.sort_by(|&i, &j| lexicographic(seeds[i as usize], seeds[j as usize]));
     let mut waiting = seed_order.into_iter().peekable();
     for &point in linework.order {
@@ -87,6 +101,12 @@ pub fn sweep(linework: &Linework, seeds: &[[f64; 2]]) -> Result<Located, Violati
         located.below[point as usize] = sweep.pass(point)?;
     }
     Ok(located)
+}
+
+fn vertical_extent(points: &[[f64; 2]]) -> (f64, f64) {
+    points
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &[_, y]| (low.min(y), high.max(y)))
 }
 
 struct Sweep<'a> {
@@ -147,10 +167,8 @@ impl<'a> Sweep<'a> {
     /// The segments that start at a point, from bottom to top, and those that end there, from top
     /// to bottom.
     fn starting_and_ending(&self, point: u32) -> (&'a [u32], &'a [u32]) {
-        let Linework { points, segments, adjoining_start, adjoining, .. } = *self.linework;
-        let range =
-            adjoining_start[point as usize] as usize..adjoining_start[point as usize + 1] as usize;
-        let all = &adjoining[range];
+        let Linework { points, segments, .. } = *self.linework;
+        let all = self.linework.adjoining_at(point);
         let starts = |&segment: &u32| {
             let other = other_end(segments[segment as usize], point);
             lexicographic(points[other as usize], points[point as usize]).is_gt()

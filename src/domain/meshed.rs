@@ -1,0 +1,211 @@
+//! Which faces are meshed, and what region each belongs to: every bounded face without a hole
+//! seed, as in Triangle.
+
+use super::boxes::{Boxes, Rectangle};
+use super::conflicts::IN_FULL;
+use super::error::{Error, Item, Kind, OpenEnd, OpenEnds, Warning};
+use super::faces::{Faces, OUTSIDE};
+use super::sweep::{Linework, Located, Place};
+use crate::Pslg;
+
+/// A clean linework, what lies where in it, and what it was made from.
+pub struct Clean<'a> {
+    /// The outline.
+    pub pslg: &'a Pslg,
+    /// Its linework, perhaps with hull edges.
+    pub linework: Linework<'a>,
+    /// What the sweep found; the seeds are those of the holes, then those of the regions.
+    pub located: Located,
+    /// The input point that each point is.
+    pub input_points: &'a [u32],
+    /// The input segment that each segment is.
+    pub input_segments: &'a [u32],
+}
+
+/// What is meshed.
+pub struct Meshed {
+    /// The faces, with their regions.
+    pub faces: Faces,
+    /// The hole seeds that take a face out, as indices into those of the outline.
+    pub holes: Vec<u32>,
+    /// The region seeds that count, as indices into those of the outline.
+    pub regions: Vec<u32>,
+    /// For each point whether it lies in a meshed face or on the boundary of one.
+    pub points: Vec<bool>,
+}
+
+impl Clean<'_> {
+    /// Decides what is meshed.
+    ///
+    /// # Errors
+    /// A seed on a point or a segment; no face that is left.
+    pub fn meshed(&self, warnings: &mut Vec<Warning>) -> Result<Meshed, Error> {
+        let mut faces = Faces::new(&self.linework, &self.located);
+        for face in OUTSIDE + 1..faces.count() {
+            faces.set_meshed(face, true);
+        }
+        let holes = self.take_holes_out(&mut faces, warnings)?;
+        let regions = self.set_regions(&mut faces, warnings)?;
+        if !(0..faces.count()).any(|face| faces.is_meshed(face)) {
+            let open_ends = self.open_ends();
+            return Err(if holes.is_empty() {
+                Error::EnclosesNothing { open_ends }
+            } else {
+                let holes = holes.iter().map(|&hole| self.item(Kind::Hole, hole)).collect();
+                Error::HolesLeaveNothing { holes, open_ends }
+            });
+        }
+        let points = self.points_in(&faces);
+        self.report_left_out(&faces, &points, warnings);
+        Ok(Meshed { faces, holes, regions, points })
+    }
+
+    fn take_holes_out(
+        &self,
+        faces: &mut Faces,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Vec<u32>, Error> {
+        let (mut holes, mut outside) = (Vec::new(), Vec::new());
+        for hole in 0..self.pslg.holes.len() as u32 {
+            match self.face_of(faces, Kind::Hole, hole)? {
+                OUTSIDE => outside.push(hole),
+                face => {
+                    faces.set_meshed(face, false);
+                    holes.push(hole);
+                }
+            }
+        }
+        if !outside.is_empty() {
+            let (count, first) = (outside.len(), self.first(Kind::Hole, &outside));
+            warnings.push(Warning::SeedsOutside { count, first });
+        }
+        Ok(holes)
+    }
+
+    fn set_regions(
+        &self,
+        faces: &mut Faces,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Vec<u32>, Error> {
+        let mut regions: Vec<u32> = Vec::new();
+        let (mut outside, mut in_hole, mut second) = (Vec::new(), Vec::new(), Vec::new());
+        for region in 0..self.pslg.regions.len() as u32 {
+            let face = self.face_of(faces, Kind::Region, region)?;
+            if face == OUTSIDE {
+                outside.push(region);
+            } else if !faces.is_meshed(face) {
+                in_hole.push(region);
+            } else if let Some(first) = faces.region(face) {
+                second.push([regions[first as usize], region]);
+            } else {
+                faces.set_region(face, regions.len() as u32);
+                regions.push(region);
+            }
+        }
+        if !outside.is_empty() {
+            let (count, first) = (outside.len(), self.first(Kind::Region, &outside));
+            warnings.push(Warning::SeedsOutside { count, first });
+        }
+        if !in_hole.is_empty() {
+            let (count, first) = (in_hole.len(), self.first(Kind::Region, &in_hole));
+            warnings.push(Warning::RegionsInHoles { count, first });
+        }
+        if !second.is_empty() {
+            let item = |region| self.item(Kind::Region, region);
+            let first = second.iter().take(IN_FULL).map(|pair| pair.map(item)).collect();
+            warnings.push(Warning::RegionsShareFace { count: second.len(), first });
+        }
+        Ok(regions)
+    }
+
+    /// The face in which a seed lies.
+    fn face_of(&self, faces: &Faces, kind: Kind, index: u32) -> Result<u32, Error> {
+        let before = if kind == Kind::Hole { 0 } else { self.pslg.holes.len() };
+        let on = match self.located.seeds[before + index as usize] {
+            Place::Above(segment) => return Ok(faces.above(&self.linework, segment)),
+            Place::Point(point) => self.item(Kind::Point, self.input_points[point as usize]),
+            // A hull edge that the outline lacks is nothing that its author could name.
+            Place::Segment(segment) => match self.input_segments[segment as usize] {
+                u32::MAX => return Ok(OUTSIDE),
+                input => self.item(Kind::Segment, input),
+            },
+        };
+        Err(Error::SeedOnOutline { seed: self.item(kind, index), on })
+    }
+
+    /// For each point whether it lies in a meshed face or on the boundary of one.
+    fn points_in(&self, faces: &Faces) -> Vec<bool> {
+        let is_bounding =
+            |&segment: &u32| faces.sides(segment).iter().any(|&face| faces.is_meshed(face));
+        let is_in = |point: u32| match self.linework.adjoining_at(point) {
+            [] => {
+                let below = self.located.below[point as usize];
+                faces.is_meshed(faces.above(&self.linework, below))
+            }
+            adjoining => adjoining.iter().any(is_bounding),
+        };
+        (0..self.linework.points.len() as u32).map(is_in).collect()
+    }
+
+    fn report_left_out(&self, faces: &Faces, points: &[bool], warnings: &mut Vec<Warning>) {
+        let of_input = |input: &[u32], is_out: &dyn Fn(u32) -> bool| -> Vec<u32> {
+            let indices = (0..input.len() as u32).filter(|&index| is_out(index));
+            indices.map(|index| input[index as usize]).collect()
+        };
+        let segments = of_input(self.input_segments, &|segment| {
+            faces.sides(segment).iter().all(|&face| !faces.is_meshed(face))
+        });
+        let points = of_input(self.input_points, &|point| !points[point as usize]);
+        for (kind, list) in [(Kind::Segment, segments), (Kind::Point, points)] {
+            if !list.is_empty() {
+                let (count, first) = (list.len(), self.first(kind, &list));
+                warnings.push(Warning::LeftOut { count, first });
+            }
+        }
+    }
+
+    /// The points at which only one segment ends, each with the nearest other one, the narrowest
+    /// gaps first.
+    fn open_ends(&self) -> OpenEnds {
+        let is_open = |&point: &u32| self.linework.adjoining_at(point).len() == 1;
+        let ends: Vec<u32> = (0..self.linework.points.len() as u32).filter(is_open).collect();
+        let place = |index: u32| self.linework.points[ends[index as usize] as usize];
+        let indices = 0..ends.len() as u32;
+        let rectangles: Vec<_> =
+            indices.clone().map(|i| Rectangle::around(place(i), place(i))).collect();
+        let boxes = Boxes::new(&rectangles);
+        let distance = |i: u32, j: u32| {
+            let ([ax, ay], [bx, by]) = (place(i), place(j));
+            libm::hypot(ax - bx, ay - by)
+        };
+        let nearest = |i: u32| {
+            let squared = |j: u32| if i == j { f64::INFINITY } else { distance(i, j).powi(2) };
+            boxes.nearest(place(i), f64::INFINITY, squared).map_or(i, |(j, _)| j)
+        };
+        let mut pairs: Vec<[u32; 2]> =
+            indices.map(|i| (i, nearest(i))).map(|(i, j)| [i.min(j), i.max(j)]).collect();
+        pairs.sort_by(|&[i, j], &[k, l]| {
+            distance(i, j).total_cmp(&distance(k, l)).then([i, j].cmp(&[k, l]))
+        });
+        pairs.dedup();
+        let item = |i: u32| self.item(Kind::Point, self.input_points[ends[i as usize] as usize]);
+        let first = pairs.iter().take(IN_FULL).map(|&[i, j]| OpenEnd {
+            point: item(i),
+            nearest: (i != j).then(|| {
+                let [a, b] = [i, j].map(|i| {
+                    self.pslg.points[self.input_points[ends[i as usize] as usize] as usize]
+                });
+                (item(j), libm::hypot(a[0] - b[0], a[1] - b[1]))
+            }),
+        });
+        OpenEnds { count: ends.len(), first: first.collect() }
+    }
+
+    fn item(&self, kind: Kind, index: u32) -> Item {
+        Item::new(self.pslg, kind, index)
+    }
+
+    fn first(&self, kind: Kind, indices: &[u32]) -> Vec<Item> {
+        indices.iter().take(IN_FULL).map(|&index| self.item(kind, index)).collect()
+    }
+}
