@@ -23,7 +23,7 @@ pub enum Error {
     )]
     TooSmall {
         /// The point.
-        item: Item,
+        item: Box<Item>,
         /// The coordinate.
         coordinate: f64,
         /// The largest coordinate of the outline in magnitude.
@@ -53,7 +53,7 @@ pub enum Error {
         /// The seed.
         seed: Item,
         /// The point or segment that it lies on.
-        on: Item,
+        on: Box<Item>,
     },
     /// The segments form no closed loop.
     #[error(

@@ -130,7 +130,7 @@ impl Clean<'_> {
                 input => self.item(Kind::Segment, input),
             },
         };
-        Err(Error::SeedOnOutline { seed: self.item(kind, index), on })
+        Err(Error::SeedOnOutline { seed: self.item(kind, index), on: Box::new(on) })
     }
 
     /// For each point whether it lies in a meshed face or on the boundary of one.

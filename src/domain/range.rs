@@ -30,7 +30,7 @@ pub fn scale_exponent(pslg: &Pslg) -> Result<i32, Error> {
         let too_small = |c: f64| c != 0.0 && self::exponent(c) - scale < SMALLEST;
         if let Some(&coordinate) = point.iter().find(|&&c| too_small(c)) {
             let item = Item::new(pslg, Kind::Point, index);
-            return Err(Error::TooSmall { item, coordinate, largest });
+            return Err(Error::TooSmall { item: Box::new(item), coordinate, largest });
         }
     }
     Ok(scale)
