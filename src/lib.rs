@@ -3,6 +3,7 @@
 pub use meshwright_formats as formats;
 pub use meshwright_formats::{Mesh, Pslg};
 
+pub mod certify;
 pub mod domain;
 pub mod draw;
 mod parameters;

@@ -1,0 +1,232 @@
+//! G1, first half: Assumption 2 (i). Are the triangles a complex, whatever they cover?
+//!
+//! The judge's own picture of the mesh is made here too: which edge of which triangle lies along
+//! which other one. Triangles that name no triangle at all are reported and left out of it;
+//! a clockwise one is reported and turned, so that one fault does not hide or feign others.
+
+use std::cmp::Ordering;
+
+use super::exact;
+use super::frame::Frame;
+use super::verdict::{Fault, FaultKind, Judgement};
+use crate::formats::Mesh;
+
+/// Nothing: no half-edge, no triangle, no segment.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// The sound triangles of a mesh and how they are glued.
+///
+/// Half-edge 3t + k runs from corner k of triangle t to the next corner, t on its left.
+pub(super) struct Complex<'a> {
+    pub(super) mesh: &'a Mesh,
+    pub(super) frame: Frame,
+    /// All points of the mesh, in judged coordinates.
+    pub(super) points: Vec<[f64; 2]>,
+    /// The sound triangles, none of them clockwise.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// Which triangle of the mesh each of them is.
+    pub(super) numbers: Vec<u32>,
+    /// The opposite half-edge, or [`NONE`].
+    pub(super) twin: Vec<u32>,
+    /// Whether a sound triangle has this point.
+    pub(super) used: Vec<bool>,
+    /// Half-edges by their smaller point (`start` delimits them), as larger point and half-edge.
+    by_smaller: Vec<u64>,
+    start: Vec<u32>,
+    /// Half-edges by the point they leave, made when first asked for.
+    leaving: std::cell::OnceCell<(Vec<u32>, Vec<u32>)>,
+}
+
+impl<'a> Complex<'a> {
+    /// Sorts out the triangles of `mesh`, reporting to `g1` what is no complex.
+    pub(super) fn new(mesh: &'a Mesh, frame: Frame, g1: &mut Judgement) -> Self {
+        let points: Vec<_> = mesh.points.iter().map(|&p| frame.scaled(p)).collect();
+        let finite: Vec<bool> = points.iter().map(|p| p.iter().all(|x| x.is_finite())).collect();
+        for (i, _) in finite.iter().enumerate().filter(|(_, finite)| !**finite) {
+            g1.add(Fault::at_point(mesh, FaultKind::NotFinite, i as u32));
+        }
+        let mut complex = Self {
+            mesh,
+            frame,
+            points,
+            triangles: Vec::with_capacity(mesh.triangles.len()),
+            numbers: Vec::with_capacity(mesh.triangles.len()),
+            twin: Vec::new(),
+            used: vec![false; mesh.points.len()],
+            by_smaller: Vec::new(),
+            start: Vec::new(),
+            leaving: std::cell::OnceCell::new(),
+        };
+        complex.take_sound_triangles(&finite, g1);
+        complex.glue(g1);
+        complex
+    }
+
+    fn take_sound_triangles(&mut self, finite: &[bool], g1: &mut Judgement) {
+        for (number, &corners) in self.mesh.triangles.iter().enumerate() {
+            let number = number as u32;
+            let [a, b, c] = corners;
+            if corners.iter().any(|&v| v as usize >= self.points.len()) {
+                g1.add(Fault::at_triangle(self.mesh, FaultKind::NoSuchPoint, number));
+                continue;
+            }
+            if corners.iter().any(|&v| !finite[v as usize]) {
+                continue; // its point is reported
+            }
+            if a == b || b == c || c == a {
+                g1.add(Fault::at_triangle(self.mesh, FaultKind::RepeatedCorner, number));
+                continue;
+            }
+            let [p, q, r] = corners.map(|v| self.points[v as usize]);
+            let turned = match exact::orientation(p, q, r) {
+                Ordering::Greater => corners,
+                Ordering::Equal => {
+                    g1.add(Fault::at_triangle(self.mesh, FaultKind::Flat, number));
+                    corners
+                }
+                Ordering::Less => {
+                    g1.add(Fault::at_triangle(self.mesh, FaultKind::Clockwise, number));
+                    [a, c, b]
+                }
+            };
+            self.triangles.push(turned);
+            self.numbers.push(number);
+            for v in corners {
+                self.used[v as usize] = true;
+            }
+        }
+        for v in (0..self.points.len()).filter(|&v| !self.used[v] && finite[v]) {
+            g1.add(Fault::at_point(self.mesh, FaultKind::UnusedPoint, v as u32));
+        }
+    }
+
+    /// Finds the twins; an edge that two triangles run along in one direction is a fault.
+    fn glue(&mut self, g1: &mut Judgement) {
+        let halves = 3 * self.triangles.len() as u32;
+        let mut start = vec![0_u32; self.points.len() + 1];
+        for h in 0..halves {
+            let (v, w) = (self.origin(h), self.target(h));
+            start[v.min(w) as usize + 1] += 1;
+        }
+        for v in 1..start.len() {
+            start[v] += start[v - 1];
+        }
+        let mut next = start.clone();
+        let mut sorted = vec![0_u64; halves as usize];
+        for h in 0..halves {
+            let (v, w) = (self.origin(h), self.target(h));
+            let slot = &mut next[v.min(w) as usize];
+            sorted[*slot as usize] = u64::from(v.max(w)) << 32 | u64::from(h);
+            *slot += 1;
+        }
+        let mut twin = vec![NONE; halves as usize];
+        for smaller in 0..self.points.len() {
+            let around = &mut sorted[start[smaller] as usize..start[smaller + 1] as usize];
+            around.sort_unstable();
+            for edge in around.chunk_by(|x, y| x >> 32 == y >> 32) {
+                let mut ways = [NONE; 2];
+                for h in edge.iter().map(|&packed| packed as u32) {
+                    let way = usize::from(self.origin(h) as usize == smaller);
+                    if ways[way] == NONE {
+                        ways[way] = h;
+                    } else {
+                        let (triangle, edge) = (self.number(h), self.edge(h));
+                        g1.add(
+                            Fault::at_edge(self.mesh, FaultKind::Overlap, edge)
+                                .of_triangle(triangle),
+                        );
+                    }
+                }
+                if let [h, g] = ways
+                    && h != NONE
+                    && g != NONE
+                {
+                    (twin[h as usize], twin[g as usize]) = (g, h);
+                }
+            }
+        }
+        (self.twin, self.by_smaller, self.start) = (twin, sorted, start);
+    }
+
+    /// The point where a half-edge begins.
+    pub(super) fn origin(&self, h: u32) -> u32 {
+        self.triangles[h as usize / 3][h as usize % 3]
+    }
+
+    /// The point where a half-edge ends.
+    pub(super) fn target(&self, h: u32) -> u32 {
+        self.triangles[h as usize / 3][(h as usize + 1) % 3]
+    }
+
+    /// The corner opposite a half-edge.
+    pub(super) fn apex(&self, h: u32) -> u32 {
+        self.triangles[h as usize / 3][(h as usize + 2) % 3]
+    }
+
+    /// A half-edge as its two points.
+    pub(super) fn edge(&self, h: u32) -> [u32; 2] {
+        [self.origin(h), self.target(h)]
+    }
+
+    /// The triangle of the mesh that a half-edge belongs to.
+    pub(super) fn number(&self, h: u32) -> u32 {
+        self.numbers[h as usize / 3]
+    }
+
+    /// The coordinates of a point.
+    pub(super) fn at(&self, v: u32) -> [f64; 2] {
+        self.points[v as usize]
+    }
+
+    /// The half-edges from `v` to `w` and from `w` to `v`, each [`NONE`] where there is none.
+    pub(super) fn find(&self, v: u32, w: u32) -> [u32; 2] {
+        let smaller = v.min(w) as usize;
+        let mut found = [NONE; 2];
+        if smaller + 1 >= self.start.len() {
+            return found;
+        }
+        let around =
+            &self.by_smaller[self.start[smaller] as usize..self.start[smaller + 1] as usize];
+        let first = around.partition_point(|packed| packed >> 32 < u64::from(v.max(w)));
+        for h in around[first..].iter().take_while(|p| **p >> 32 == u64::from(v.max(w))) {
+            let h = *h as u32;
+            let way = usize::from(self.origin(h) != v);
+            if found[way] == NONE {
+                found[way] = h;
+            }
+        }
+        found
+    }
+
+    /// The half-edges that leave `v`.
+    pub(super) fn leaving(&self, v: u32) -> &[u32] {
+        let (start, halves) = self.leaving.get_or_init(|| {
+            let count = 3 * self.triangles.len() as u32;
+            super::grouped(self.points.len(), (0..count).map(|h| (self.origin(h), h)))
+        });
+        &halves[start[v as usize] as usize..start[v as usize + 1] as usize]
+    }
+
+    /// Every point that shares an edge with `v` (twice, where the edge has two sides).
+    pub(super) fn around(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
+        self.leaving(v).iter().flat_map(|&h| [self.target(h), self.apex(h)])
+    }
+
+    /// V − E + F of the sound triangles and the points they use.
+    pub(super) fn euler_characteristic(&self) -> i64 {
+        let points = self.used.iter().filter(|used| **used).count() as i64;
+        let twins = self.twin.iter().filter(|twin| **twin != NONE).count() as i64;
+        let edges = self.twin.len() as i64 - twins / 2;
+        points - edges + self.triangles.len() as i64
+    }
+
+    /// The sum of the triangles' areas, in judged coordinates.
+    pub(super) fn area(&self) -> f64 {
+        let mut doubled = exact::Double::default();
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.map(|v| self.at(v));
+            doubled = doubled + exact::cross(a, b, c);
+        }
+        0.5 * doubled.to_f64()
+    }
+}

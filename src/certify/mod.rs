@@ -1,0 +1,184 @@
+//! Assumption 2, Lemma 7, Corollary 3: an independent judge of finished meshes.
+//!
+//! [`certify`] judges any triangle mesh against any outline, [`certify_alone`] a mesh of which no
+//! outline is known. Nothing here is shared with what makes meshes: the judge reads the outline
+//! itself and has its own exact arithmetic. No mesh makes it fail: indices out of range,
+//! coordinates that are no numbers, nothing at all are verdicts too.
+//!
+//! | | guarantee | judged in |
+//! |-|-|-|
+//! | G1 | the triangles are a complex and cover the domain | `complex`, `cover` |
+//! | G2 | edges are locally Delaunay | `delaunay` |
+//! | G3 | diametral discs of subsegments are empty | `delaunay` |
+//! | G4 | segments, points and tags of the outline are kept | `conformity`, `tags` |
+//! | G5, G6 | Lemma 7 | `angles` |
+//! | G7 | Corollary 3 | `angles` |
+
+mod angles;
+mod complex;
+mod conformity;
+mod cover;
+mod delaunay;
+mod exact;
+mod frame;
+mod outline;
+mod precision;
+mod tags;
+mod verdict;
+
+pub use verdict::{
+    Apex, Certificate, ExcusedAngle, Fault, FaultKind, Guarantee, Judgement, Numbered, Promise,
+    Verdict,
+};
+
+use angles::{AngleJudgements, Angles, Laid};
+use complex::Complex;
+use conformity::Chains;
+use frame::Frame;
+use outline::Outline;
+use precision::Floor;
+
+use crate::formats::{Mesh, Pslg};
+
+/// Judges a mesh against the outline that it is a mesh of.
+///
+/// Every guarantee G1 to G7 is judged, and the mesh's tags are compared with the outline's. The
+/// work grows like n log n.
+///
+/// ```
+/// use meshwright::certify::{Guarantee, Promise, Verdict, certify};
+/// use meshwright::{Mesh, Pslg};
+///
+/// let pslg = Pslg {
+///     points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+///     segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]],
+///     segment_tags: vec![1, 1, 2, 2],
+///     ..Pslg::default()
+/// };
+/// let mut mesh = Mesh {
+///     points: pslg.points.clone(),
+///     triangles: vec![[0, 1, 2], [0, 2, 3]],
+///     triangle_tags: vec![0, 0],
+///     edges: pslg.segments.clone(),
+///     edge_tags: pslg.segment_tags.clone(),
+///     ..Mesh::default()
+/// };
+/// let promise = Promise::default();
+/// assert!(certify(&pslg, &mesh, &promise).holds());
+///
+/// mesh.triangles[1] = [0, 3, 2];
+/// let certificate = certify(&pslg, &mesh, &promise);
+/// assert_eq!(certificate.verdict(Guarantee::Complex), Verdict::Fails);
+/// assert_eq!(certificate.judgement(Guarantee::Complex).first[0].triangle, Some(1));
+/// ```
+#[must_use]
+pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
+    let frame = Frame::new(&pslg.points);
+    let outline = Outline::new(pslg, promise.region, frame);
+    let [mut g1, mut g2, mut g3, mut g4, mut g5, mut g6, mut g7] =
+        Guarantee::ALL.map(Judgement::new);
+
+    let complex = Complex::new(mesh, frame, &mut g1);
+    let chains = conformity::judge(&outline, &complex, &mut g4);
+    cover::judge(&outline, &complex, &chains, &mut g1);
+    tags::judge_regions(&outline, &complex, &chains, &mut g4);
+
+    let floor = Floor::new(&outline, &complex, &chains);
+    delaunay::judge_edges(&complex, &chains, &mut g2);
+    delaunay::judge_discs(Some(&outline), &complex, &chains, &floor, &mut g3);
+
+    let theta_star = outline.smallest_angle();
+    let laid = Laid { outline: &outline, theta_star };
+    let judgements = AngleJudgements { g5: &mut g5, g6: &mut g6, g7: &mut g7 };
+    let angles =
+        angles::judge(&complex, &chains, Some(laid), &floor, promise.min_angle, judgements);
+
+    let mut certificate = conclude(&complex, promise, vec![g1, g2, g3, g4, g5, g6, g7], angles);
+    certificate.theta_star = Some(theta_star);
+    certificate.limited_triangles = complex.triangles.iter().filter(|t| floor.covers(t)).count();
+    certificate.apexes = floor.apexes;
+    certificate.not_judged = missing_tags(mesh);
+    certificate
+}
+
+/// Judges a mesh of which no outline is known: G1 (but not whether it covers what it should), G2,
+/// G3 and G7. The mesh's list of boundary and interface edges is taken for the subsegments.
+#[must_use]
+pub fn certify_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
+    const REASON: &str = "it needs the outline";
+    let frame = Frame::new(&mesh.points);
+    let [mut g1, mut g2, mut g3, mut g4, mut g5, mut g6, mut g7] =
+        Guarantee::ALL.map(Judgement::new);
+
+    let complex = Complex::new(mesh, frame, &mut g1);
+    let chains = Chains::listed(&complex, &mut g4);
+    cover::judge_gaps(&complex, &chains, &mut g1);
+
+    let floor = Floor::none(&complex);
+    delaunay::judge_edges(&complex, &chains, &mut g2);
+    delaunay::judge_discs(None, &complex, &chains, &floor, &mut g3);
+
+    let judgements = AngleJudgements { g5: &mut g5, g6: &mut g6, g7: &mut g7 };
+    let angles = angles::judge(&complex, &chains, None, &floor, promise.min_angle, judgements);
+
+    let [g4, g5, g6] = [Guarantee::Conforming, Guarantee::SmallAngles, Guarantee::SmallestAngle]
+        .map(|guarantee| Judgement::not_judged(guarantee, REASON));
+    let mut certificate = conclude(&complex, promise, vec![g1, g2, g3, g4, g5, g6, g7], angles);
+    certificate.not_judged = vec!["whether the mesh covers what it should (it needs the outline)"];
+    certificate
+}
+
+fn conclude(
+    complex: &Complex,
+    promise: &Promise,
+    judgements: Vec<Judgement>,
+    angles: Angles,
+) -> Certificate {
+    Certificate {
+        promise: *promise,
+        judgements,
+        points: complex.mesh.points.len(),
+        triangles: complex.mesh.triangles.len(),
+        area: complex.frame.area_outside(complex.area()),
+        smallest_angle: angles.smallest,
+        largest_angle: angles.largest,
+        theta_star: None,
+        excused: angles.excused,
+        apexes: Vec::new(),
+        limited_triangles: 0,
+        not_judged: Vec::new(),
+    }
+}
+
+/// What a mesh that carries no tags cannot be asked.
+fn missing_tags(mesh: &Mesh) -> Vec<&'static str> {
+    let mut missing = Vec::new();
+    if mesh.edges.is_empty() {
+        missing.push("boundary and interface edges (the mesh lists none)");
+    } else if mesh.edge_tags.is_empty() {
+        missing.push("tags of boundary and interface edges (the mesh has none)");
+    }
+    if mesh.triangle_tags.is_empty() && !mesh.triangles.is_empty() {
+        missing.push("region tags (the mesh has none)");
+    }
+    missing
+}
+
+/// Sorts `items` by their first half, a number below `count`, keeping their order otherwise: those
+/// of number v are `items[start[v]..start[v + 1]]`.
+fn grouped(count: usize, items: impl Iterator<Item = (u32, u32)> + Clone) -> (Vec<u32>, Vec<u32>) {
+    let mut start = vec![0_u32; count + 1];
+    for (v, _) in items.clone() {
+        start[v as usize + 1] += 1;
+    }
+    for v in 1..=count {
+        start[v] += start[v - 1];
+    }
+    let mut next = start.clone();
+    let mut sorted = vec![0; start[count] as usize];
+    for (v, item) in items {
+        sorted[next[v as usize] as usize] = item;
+        next[v as usize] += 1;
+    }
+    (start, sorted)
+}

@@ -1,0 +1,135 @@
+//! Where doubles end (ALGORITHM §9).
+//!
+//! Two segments that meet at x with angle θ cannot be told apart, as the theorem needs it, at a
+//! distance d from x with θ²·d < 4·ulp(M) or θ·d < φ = 2^12·ulp(M). What lies in that stretch of
+//! the two, or between them, follows from the outline alone; the triangles with a point there are
+//! not promised G3 and G5–G7.
+
+use std::cmp::Ordering;
+
+use super::complex::{Complex, NONE};
+use super::conformity::Chains;
+use super::exact;
+use super::outline::{Outline, distance};
+use super::verdict::Apex;
+
+/// The points of the mesh that lie where doubles end.
+pub(super) struct Floor {
+    limited: Vec<bool>,
+    /// The apexes that have such a point.
+    pub(super) apexes: Vec<Apex>,
+}
+
+impl Floor {
+    /// No point of the mesh is taken to be there: nothing is known of an outline.
+    pub(super) fn none(complex: &Complex) -> Self {
+        Self { limited: vec![false; complex.points.len()], apexes: Vec::new() }
+    }
+
+    /// The points that lie in the stretch of two segments of the outline.
+    pub(super) fn new(outline: &Outline, complex: &Complex, chains: &Chains) -> Self {
+        let mut floor = Self::none(complex);
+        for x in outline.distinct_points() {
+            let spokes = outline.spokes(x);
+            let nearest = spokes
+                .iter()
+                .map(|&h| first_length(complex, chains, h))
+                .fold(f64::INFINITY, f64::min);
+            for (i, &g) in spokes.iter().enumerate() {
+                // On counter-clockwise, as long as the angle is small enough to matter.
+                for j in 1..spokes.len() {
+                    let h = spokes[(i + j) % spokes.len()];
+                    let theta = outline.angle(g, h).radians();
+                    let reach = reach(theta, complex.frame.ulp);
+                    if reach <= nearest || outline.turns_back(g, h) {
+                        break;
+                    }
+                    floor.mark(outline, complex, chains, Stretch { x, g, h, theta, reach });
+                }
+            }
+        }
+        floor
+    }
+
+    /// Whether a triangle has a point in a stretch.
+    pub(super) fn covers(&self, triangle: &[u32; 3]) -> bool {
+        triangle.iter().any(|&v| self.limited[v as usize])
+    }
+
+    fn mark(&mut self, outline: &Outline, complex: &Complex, chains: &Chains, stretch: Stretch) {
+        let Stretch { x, g, h, theta, reach } = stretch;
+        let origin = outline.points[x as usize];
+        let near = |v: u32| distance(complex.at(v), origin) < reach;
+        let mut found = Vec::new();
+        for half in [g, h] {
+            let chain = outward(chains, half).take_while(|&v| v != NONE);
+            found.extend(chain.skip(1).take_while(|&v| near(v)));
+        }
+        if found.is_empty() {
+            return;
+        }
+        // Then what is strictly between the two, from neighbour to neighbour.
+        let [p, q] = [g, h].map(|half| outline.points[outline.target(half) as usize]);
+        let between = |v: u32| {
+            let at = complex.at(v);
+            exact::orientation(origin, p, at) == Ordering::Greater
+                && exact::orientation(origin, q, at) == Ordering::Less
+        };
+        let mut seen: Vec<u32> = found.clone();
+        seen.sort_unstable();
+        let mut i = 0;
+        while i < found.len() {
+            for w in complex.around(found[i]) {
+                if let Err(place) = seen.binary_search(&w)
+                    && near(w)
+                    && between(w)
+                {
+                    seen.insert(place, w);
+                    found.push(w);
+                }
+            }
+            i += 1;
+        }
+        for v in found {
+            self.limited[v as usize] = true;
+        }
+        self.apexes.push(Apex {
+            point: outline.point_name(x),
+            segments: [g, h].map(|half| outline.segment_name(half / 2)),
+            theta,
+            reach: complex.frame.length_outside(reach),
+            place: outline.pslg.points[x as usize],
+        });
+    }
+}
+
+/// Two half-edges of the outline that leave x, counter-clockwise at angle θ.
+struct Stretch {
+    x: u32,
+    g: u32,
+    h: u32,
+    theta: f64,
+    reach: f64,
+}
+
+/// The distance from the apex at which θ²·d ≥ 4·ulp(M) and θ·d ≥ 2^12·ulp(M).
+fn reach(theta: f64, ulp: f64) -> f64 {
+    (4.0 * ulp / (theta * theta)).max(4096.0 * ulp / theta)
+}
+
+/// The chain of a half-edge of the outline, from the point that it leaves.
+fn outward(chains: &Chains, half: u32) -> impl Iterator<Item = u32> + '_ {
+    let points = &chains.points[half as usize / 2];
+    let count = points.len();
+    let forward = half.is_multiple_of(2);
+    (0..count).map(move |i| points[if forward { i } else { count - 1 - i }])
+}
+
+/// The length of the first piece of a half-edge of the outline.
+fn first_length(complex: &Complex, chains: &Chains, half: u32) -> f64 {
+    let mut chain = outward(chains, half);
+    match (chain.next(), chain.next()) {
+        (Some(v), Some(w)) if v != NONE && w != NONE => distance(complex.at(v), complex.at(w)),
+        _ => f64::INFINITY,
+    }
+}
