@@ -174,12 +174,10 @@ pub enum Notice {
         /// The section's name, without its `$`.
         name: String,
     },
-    /// Elements of a kind that a mesh of triangles does not have.
-    #[error("{count} elements of Gmsh's type {kind} are ignored")]
-    SkippedElements {
-        /// The type's number in Gmsh's manual.
-        kind: i64,
-        /// How many.
-        count: u32,
+    /// All points lie in one plane that is not z = 0.
+    #[error("all nodes have z = {z}; it is dropped")]
+    Plane {
+        /// The z coordinate of all points.
+        z: f64,
     },
 }

@@ -324,16 +324,17 @@ fn names(mesh: &Mesh, rules: Rules, notes: &mut Vec<Note>) -> BTreeMap<(u8, Tag)
     names
 }
 
-fn writable(name: &str, rules: Rules) -> Cow<'_, str> {
-    let bad = |c: char| c.is_control() || (rules.quoted && c == '"');
-    if !name.contains(bad) {
-        return name.into();
-    }
+pub(crate) fn writable(name: &str, rules: Rules) -> Cow<'_, str> {
+    // XML has no place for the last two, text files none for the others.
+    let forbidden = |c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}');
     let good = |c: char| match c {
         '"' if rules.quoted => '\'',
-        c if c.is_control() => ' ',
+        c if forbidden(c) => ' ',
         c => c,
     };
+    if name.chars().all(|c| c == good(c)) {
+        return name.into();
+    }
     name.chars().map(good).collect::<String>().into()
 }
 

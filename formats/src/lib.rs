@@ -3,7 +3,7 @@
 //! [`Pslg`] is what every outline reader makes, [`Mesh`] what every mesh writer takes. This crate
 //! knows files and flat arrays; it knows no geometry.
 //!
-//! Outlines: [`poly`], [`node`]. Meshes: [`msh`]. A reader takes text and a
+//! Outlines: [`poly`], [`node`]. Meshes: [`msh`], [`vtu`]. A reader takes text and a
 //! name for its messages; it returns what it read and what it passed over ([`Warning`]). A writer
 //! takes a [`std::io::Write`] and returns what became of the tags ([`groups::Note`]).
 
@@ -16,6 +16,7 @@ pub mod node;
 pub mod poly;
 mod pslg;
 mod text;
+pub mod vtu;
 
 pub use error::{Found, Notice, SyntaxError, Warning};
 pub use mesh::{Data, Mesh, Provenance, Values};

@@ -4,6 +4,8 @@
 //! describes it under "MSH file format version 2 (Legacy)"
 //! (<https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format-version-2-_0028Legacy_0029>).
 
+mod read;
 mod write;
 
+pub use read::read;
 pub use write::{Options, write, write_with};

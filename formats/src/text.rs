@@ -81,6 +81,25 @@ impl<'a> Scanner<'a> {
         (!bytes.is_empty()).then_some(Word { bytes, start })
     }
 
+    /// What is left of this line, comment included, without white space at its ends.
+    pub fn rest(&mut self) -> Word<'a> {
+        self.skip_blanks();
+        let start = self.position;
+        self.skip_to_line_end();
+        Word { bytes: self.text[start..self.position].trim_ascii_end(), start }
+    }
+
+    /// The error that the first word of a line read before is not what it should be.
+    pub fn unexpected_in_line(&self, line: u32, expected: &'static str) -> SyntaxError {
+        let mut again = Self::new(self.text, self.file, self.comment);
+        while again.line < line && again.next_line() {
+            again.leave_line();
+            again.next_line();
+        }
+        let word = again.first_word_of_line();
+        again.unexpected(word, expected)
+    }
+
     /// The first word of this line, once more.
     pub fn first_word_of_line(&self) -> Word<'a> {
         let mut again = Self { position: self.line_start, ..*self };

@@ -1,0 +1,42 @@
+//! VTK's XML format for unstructured grids, `.vtu`, with raw appended data.
+//!
+//! ```text
+//! file     := <VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"
+//!             header_type="UInt64"> grid appended </VTKFile>
+//! grid     := FieldData? Piece(PointData CellData Points Cells)
+//! appended := <AppendedData encoding="raw"> white space `_` array* newline </AppendedData>
+//! array    := <number of bytes: u64> <bytes>
+//! ```
+//!
+//! Cells are the edges (VTK's type 3), then the triangles (type 5). Arrays:
+//!
+//! | array | where | holds |
+//! |---|---|---|
+//! | `gmsh:physical` | cells | the number of the group: the tag, or a positive number where that is 0 |
+//! | `tag` | cells | the user's tag, 0 for none |
+//! | `segment` | edges | the (zero-based) input segment, −1 for none and for triangles |
+//! | `provenance` | points | 0 input, 1 shell, 2 midpoint, 3 circumcenter ([`Provenance`]) |
+//! | `marker` | points | the marker |
+//! | a group's name | field | `[number, dimension]`, one pair for each group of the name |
+//!
+//! Further arrays are the mesh's own data; edges have NaN, or 0 where numbers are whole, in those
+//! of triangles. (<https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>)
+//!
+//! [`Provenance`]: crate::Provenance
+
+mod read;
+mod write;
+
+pub use read::{Fault, ReadError, read};
+pub use write::write;
+
+/// VTK's numbers of the kinds of cells.
+const LINE: u8 = 3;
+const TRIANGLE: u8 = 5;
+
+/// Names of arrays that have a meaning here.
+const PHYSICAL: &str = "gmsh:physical";
+const TAG: &str = "tag";
+const SEGMENT: &str = "segment";
+const PROVENANCE: &str = "provenance";
+const MARKER: &str = "marker";

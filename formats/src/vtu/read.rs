@@ -1,0 +1,566 @@
+//! Reading `.vtu`: what [`write`](super::write) writes, and the like of other programs (raw
+//! appended, little endian, 64-bit headers, not compressed; lines and triangles).
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use quick_xml::events::{BytesStart, Event};
+
+use super::{LINE, MARKER, PHYSICAL, PROVENANCE, SEGMENT, TAG, TRIANGLE};
+use crate::groups::stated_tag;
+use crate::mesh::{Data, Mesh, Provenance, Values};
+use crate::pslg::{Group, Tag};
+
+/// A `.vtu` file that could not be read.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{file}: {fault}")]
+pub struct ReadError {
+    /// The file, as the user named it.
+    pub file: String,
+    /// What is wrong with it.
+    pub fault: Fault,
+}
+
+/// What is wrong with a `.vtu` file.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// Something else than VTK's XML.
+    #[error("this is no .vtu file: it holds no <VTKFile>")]
+    NotVtu,
+    /// XML that cannot be read.
+    #[error("line {line}: {message}")]
+    Xml {
+        /// The line, counted from one.
+        line: usize,
+        /// What the XML reader says.
+        message: String,
+    },
+    /// A kind of `.vtu` that is not read here.
+    #[error("expected {attribute}=\"{expected}\", found \"{found}\"")]
+    Unsupported {
+        /// The attribute.
+        attribute: &'static str,
+        /// What is read here.
+        expected: &'static str,
+        /// What the file has.
+        found: String,
+    },
+    /// A part that every `.vtu` file has.
+    #[error("{what} is missing")]
+    Missing {
+        /// The part.
+        what: String,
+    },
+    /// The file ends, or the next part begins, before an array does.
+    #[error("array `{array}` ends at byte {end} of the appended data, which has {available}")]
+    Truncated {
+        /// The array's name.
+        array: String,
+        /// Where it would end.
+        end: u64,
+        /// How many bytes there are.
+        available: u64,
+    },
+    /// An array with more or fewer numbers than it must have.
+    #[error("array `{array}` holds {found} numbers, expected {expected}")]
+    Length {
+        /// The array's name.
+        array: String,
+        /// How many it must have.
+        expected: u64,
+        /// How many it has.
+        found: u64,
+    },
+    /// A number that means nothing.
+    #[error("array `{array}`, number {index} (from 0): expected {expected}, found {found}")]
+    Value {
+        /// The array's name.
+        array: String,
+        /// Its place, from zero.
+        index: usize,
+        /// What it may be.
+        expected: &'static str,
+        /// What it is.
+        found: String,
+    },
+}
+
+/// Reads a `.vtu` file into the mesh that it was written from.
+///
+/// `file` is the name that messages use. Where there is no array `tag`, the numbers of
+/// `gmsh:physical` are the tags. Names that were only stated ([`stated_tag`]) are left out.
+///
+/// # Errors
+/// What is wrong with the file.
+pub fn read(bytes: &[u8], file: &str) -> Result<Mesh, ReadError> {
+    parse(bytes).map_err(|fault| ReadError { file: file.to_owned(), fault })
+}
+
+fn parse(bytes: &[u8]) -> Result<Mesh, Fault> {
+    let (header, data) = split(bytes)?;
+    let file = Header::read(header)?;
+    let reader = Arrays { data, header: &file };
+    let mut mesh = Mesh { points: points(&reader)?, ..Mesh::default() };
+    let cells = cells(&reader, &mut mesh)?;
+    point_data(&reader, &mut mesh)?;
+    let physical = cell_data(&reader, &cells, &mut mesh)?;
+    groups(&reader, &physical, &mut mesh)?;
+    Ok(mesh)
+}
+
+/// The XML before the appended data, and the bytes after its `_`.
+fn split(bytes: &[u8]) -> Result<(&[u8], &[u8]), Fault> {
+    let missing = || Fault::Missing { what: "<AppendedData encoding=\"raw\">".to_owned() };
+    if find(bytes, b"<VTKFile").is_none() {
+        return Err(Fault::NotVtu);
+    }
+    let start = find(bytes, b"<AppendedData").ok_or_else(missing)?;
+    let close = start + find(&bytes[start..], b">").ok_or_else(missing)?;
+    let white = bytes[close + 1..].iter().take_while(|b| b.is_ascii_whitespace()).count();
+    let data = close + 1 + white;
+    if bytes.get(data) != Some(&b'_') {
+        return Err(Fault::Missing { what: "the `_` before the appended data".to_owned() });
+    }
+    Ok((&bytes[..=close], &bytes[data + 1..]))
+}
+
+fn find(bytes: &[u8], part: &[u8]) -> Option<usize> {
+    bytes.windows(part.len()).position(|window| window == part)
+}
+
+/// The description of an array.
+struct Description {
+    section: Section,
+    name: String,
+    kind: String,
+    components: u64,
+    offset: u64,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Section {
+    None,
+    Field,
+    Point,
+    Cell,
+    Points,
+    Cells,
+}
+
+#[derive(Default)]
+struct Header {
+    arrays: Vec<Description>,
+    points: Option<u64>,
+    cells: Option<u64>,
+}
+
+impl Header {
+    fn read(xml: &[u8]) -> Result<Self, Fault> {
+        let xml = std::str::from_utf8(xml).map_err(|error| Fault::Xml {
+            line: line(&xml[..error.valid_up_to()]),
+            message: "the header is not UTF-8".to_owned(),
+        })?;
+        let mut reader = quick_xml::Reader::from_str(xml);
+        let mut header = Self::default();
+        let mut section = Section::None;
+        loop {
+            let event = reader.read_event();
+            let line =
+                line(xml.as_bytes().get(..reader.buffer_position() as usize).unwrap_or_default());
+            let fault = |message: String| Fault::Xml { line, message };
+            match event.map_err(|error| fault(error.to_string()))? {
+                Event::Start(tag) | Event::Empty(tag) => {
+                    header.element(&tag, &mut section, fault)?;
+                }
+                Event::End(tag) if section_of(tag.name().as_ref()).is_some() => {
+                    section = Section::None;
+                }
+                Event::Eof => return Ok(header),
+                _ => {}
+            }
+        }
+    }
+
+    fn element(
+        &mut self,
+        tag: &BytesStart,
+        section: &mut Section,
+        fault: impl Fn(String) -> Fault + Copy,
+    ) -> Result<(), Fault> {
+        let attributes = attributes(tag, fault)?;
+        let get = |name: &str| attributes.get(name).cloned();
+        let number = |name: &str| match get(name) {
+            None => Ok(None),
+            Some(value) => match value.trim().parse::<u64>() {
+                Ok(number) => Ok(Some(number)),
+                Err(_) => Err(fault(format!("expected a number in {name}, found `{value}`"))),
+            },
+        };
+        let must = |attribute, expected, default: &str| {
+            let found = get(attribute).unwrap_or_else(|| default.to_owned());
+            let same = found == expected;
+            if same { Ok(()) } else { Err(Fault::Unsupported { attribute, expected, found }) }
+        };
+        match tag.name().as_ref() {
+            "VTKFile" => {
+                must("type", "UnstructuredGrid", "")?;
+                must("byte_order", "LittleEndian", "LittleEndian")?;
+                must("header_type", "UInt64", "UInt32")?;
+                must("compressor", "", "")?;
+            }
+            "Piece" => {
+                if self.points.is_some() {
+                    return Err(fault("a second <Piece>; only one is read".to_owned()));
+                }
+                self.points = number("NumberOfPoints")?;
+                self.cells = number("NumberOfCells")?;
+            }
+            "DataArray" => {
+                must("format", "appended", "ascii")?;
+                let name = get("Name").unwrap_or_default();
+                let missing = |what| Fault::Missing { what: format!("{what} of array `{name}`") };
+                let offset = number("offset")?.ok_or_else(|| missing("the offset"))?;
+                let kind = get("type").ok_or_else(|| missing("the type"))?;
+                let components = number("NumberOfComponents")?.unwrap_or(1);
+                let section = *section;
+                self.arrays.push(Description { section, name, kind, components, offset });
+            }
+            "AppendedData" => must("encoding", "raw", "")?,
+            name => {
+                if let Some(entered) = section_of(name) {
+                    *section = entered;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The line that begins or goes on after these bytes.
+fn line(before: &[u8]) -> usize {
+    1 + before.iter().filter(|&&byte| byte == b'\n').count()
+}
+
+fn section_of(name: &str) -> Option<Section> {
+    Some(match name {
+        "FieldData" => Section::Field,
+        "PointData" => Section::Point,
+        "CellData" => Section::Cell,
+        "Points" => Section::Points,
+        "Cells" => Section::Cells,
+        _ => return None,
+    })
+}
+
+fn attributes(
+    tag: &BytesStart,
+    fault: impl Fn(String) -> Fault,
+) -> Result<BTreeMap<String, String>, Fault> {
+    let mut all = BTreeMap::new();
+    for attribute in tag.attributes() {
+        let attribute = attribute.map_err(|error| fault(error.to_string()))?;
+        let value = quick_xml::escape::unescape(&attribute.value);
+        let value = value.map_err(|error| fault(error.to_string()))?;
+        all.insert(attribute.key.as_ref().to_owned(), value.into_owned());
+    }
+    Ok(all)
+}
+
+/// The numbers of arrays.
+struct Arrays<'a> {
+    header: &'a Header,
+    data: &'a [u8],
+}
+
+impl<'a> Arrays<'a> {
+    fn of(&self, section: Section) -> impl Iterator<Item = &'a Description> + use<'a> {
+        self.header.arrays.iter().filter(move |array| array.section == section)
+    }
+
+    fn find(&self, section: Section, name: &str) -> Option<&'a Description> {
+        self.of(section).find(|array| array.name == name)
+    }
+
+    fn need(&self, section: Section, name: &str) -> Result<&'a Description, Fault> {
+        let missing = || Fault::Missing { what: format!("array `{name}`") };
+        self.find(section, name).ok_or_else(missing)
+    }
+
+    /// The numbers of an array; `expected` of them, where that is known.
+    fn values(&self, array: &Description, expected: Option<u64>) -> Result<Values, Fault> {
+        let bytes = self.bytes(array)?;
+        let values = match array.kind.as_str() {
+            "Float64" => Values::Real(decode(bytes, f64::from_le_bytes)),
+            "Float32" => Values::Real(decode(bytes, |b| f64::from(f32::from_le_bytes(b)))),
+            "Int64" => Values::Integer(decode(bytes, i64::from_le_bytes)),
+            "Int32" => Values::Integer(decode(bytes, |b| i64::from(i32::from_le_bytes(b)))),
+            "UInt32" => Values::Integer(decode(bytes, |b| i64::from(u32::from_le_bytes(b)))),
+            "Int16" => Values::Integer(decode(bytes, |b| i64::from(i16::from_le_bytes(b)))),
+            "UInt16" => Values::Integer(decode(bytes, |b| i64::from(u16::from_le_bytes(b)))),
+            "Int8" => Values::Integer(decode(bytes, |b| i64::from(i8::from_le_bytes(b)))),
+            "UInt8" => Values::Integer(decode(bytes, |[b]: [u8; 1]| i64::from(b))),
+            _ => {
+                let (attribute, expected) = ("type", "Float64, Int64 or a smaller type");
+                let found = array.kind.clone();
+                return Err(Fault::Unsupported { attribute, expected, found });
+            }
+        };
+        let found = match &values {
+            Values::Real(values) => values.len() as u64,
+            Values::Integer(values) => values.len() as u64,
+        };
+        match expected {
+            Some(expected) if expected != found => {
+                Err(Fault::Length { array: array.name.clone(), expected, found })
+            }
+            _ => Ok(values),
+        }
+    }
+
+    /// The bytes of an array, after the eight that count them.
+    fn bytes(&self, array: &Description) -> Result<&'a [u8], Fault> {
+        let available = self.data.len() as u64;
+        let truncated = |end| Fault::Truncated { array: array.name.clone(), end, available };
+        let at = |start: u64, length: u64| {
+            let end = start.saturating_add(length);
+            if end > available {
+                return Err(truncated(end));
+            }
+            Ok(&self.data[start as usize..end as usize])
+        };
+        let header = at(array.offset, 8)?;
+        let length = header.try_into().map_or(u64::MAX, u64::from_le_bytes);
+        at(array.offset + 8, length)
+    }
+
+    fn whole(&self, array: &Description, expected: Option<u64>) -> Result<Vec<i64>, Fault> {
+        match self.values(array, expected)? {
+            Values::Integer(values) => Ok(values),
+            Values::Real(_) => Err(self.wrong_type(array, "a type of whole numbers")),
+        }
+    }
+
+    fn wrong_type(&self, array: &Description, expected: &'static str) -> Fault {
+        Fault::Unsupported { attribute: "type", expected, found: array.kind.clone() }
+    }
+}
+
+fn decode<const N: usize, T>(bytes: &[u8], number: impl Fn([u8; N]) -> T) -> Vec<T> {
+    bytes.chunks_exact(N).filter_map(|chunk| chunk.try_into().ok()).map(number).collect()
+}
+
+fn value(array: &str, index: usize, expected: &'static str, found: impl ToString) -> Fault {
+    Fault::Value { array: array.to_owned(), index, expected, found: found.to_string() }
+}
+
+fn points(arrays: &Arrays) -> Result<Vec<[f64; 2]>, Fault> {
+    let missing = |what: &str| Fault::Missing { what: what.to_owned() };
+    let count = arrays.header.points.ok_or_else(|| missing("NumberOfPoints"))?;
+    let array = arrays.of(Section::Points).next().ok_or_else(|| missing("the array of points"))?;
+    let Values::Real(numbers) = arrays.values(array, count.checked_mul(3))? else {
+        return Err(arrays.wrong_type(array, "Float64"));
+    };
+    if count >= u64::from(u32::MAX) {
+        return Err(Fault::Length {
+            array: array.name.clone(),
+            expected: MOST_POINTS,
+            found: count,
+        });
+    }
+    let infinite = numbers.iter().position(|number| !number.is_finite());
+    if let Some(index) = infinite {
+        return Err(value(&array.name, index, "a finite number", numbers[index]));
+    }
+    let plane = numbers.get(2).copied().unwrap_or(0.0);
+    let off = numbers.chunks_exact(3).position(|point| point[2] != plane);
+    if let Some(point) = off {
+        let expected = "the same z for all points";
+        return Err(value(&array.name, 3 * point + 2, expected, numbers[3 * point + 2]));
+    }
+    Ok(numbers.chunks_exact(3).map(|point| [point[0], point[1]]).collect())
+}
+
+/// Indices are 32-bit numbers, and the largest means "none".
+const MOST_POINTS: u64 = u32::MAX as u64 - 1;
+
+/// The cells that are edges and those that are triangles, in the order of the file.
+struct Cells {
+    edges: Vec<usize>,
+    triangles: Vec<usize>,
+    count: usize,
+}
+
+fn cells(arrays: &Arrays, mesh: &mut Mesh) -> Result<Cells, Fault> {
+    let missing = || Fault::Missing { what: "NumberOfCells".to_owned() };
+    let count = arrays.header.cells.ok_or_else(missing)?;
+    let types = arrays.whole(arrays.need(Section::Cells, "types")?, Some(count))?;
+    let offsets = arrays.whole(arrays.need(Section::Cells, "offsets")?, Some(count))?;
+    let total = offsets.last().map_or(0, |&end| end.max(0) as u64);
+    let corners = arrays.whole(arrays.need(Section::Cells, "connectivity")?, Some(total))?;
+    let mut cells = Cells { edges: Vec::new(), triangles: Vec::new(), count: types.len() };
+    let mut start = 0;
+    for (cell, (&kind, &offset)) in types.iter().zip(&offsets).enumerate() {
+        let length = match u8::try_from(kind) {
+            Ok(LINE) => 2,
+            Ok(TRIANGLE) => 3,
+            _ => return Err(value("types", cell, "3 (line) or 5 (triangle)", kind)),
+        };
+        let end = start + length;
+        if offset != end as i64 || end > corners.len() {
+            return Err(value("offsets", cell, "the number of corners so far", offset));
+        }
+        if length == 2 {
+            cells.edges.push(cell);
+            mesh.edges.push(corners_of(&corners, start..end, mesh.points.len())?);
+        } else {
+            cells.triangles.push(cell);
+            mesh.triangles.push(corners_of(&corners, start..end, mesh.points.len())?);
+        }
+        start = end;
+    }
+    Ok(cells)
+}
+
+fn corners_of<const N: usize>(
+    corners: &[i64],
+    range: Range<usize>,
+    points: usize,
+) -> Result<[u32; N], Fault> {
+    let mut cell = [0; N];
+    for (corner, index) in cell.iter_mut().zip(range) {
+        *corner = match u32::try_from(corners[index]) {
+            Ok(point) if (point as usize) < points => point,
+            _ => return Err(value("connectivity", index, "a point", corners[index])),
+        };
+    }
+    Ok(cell)
+}
+
+fn point_data(arrays: &Arrays, mesh: &mut Mesh) -> Result<(), Fault> {
+    let count = mesh.points.len() as u64;
+    for array in arrays.of(Section::Point) {
+        match array.name.as_str() {
+            PROVENANCE => {
+                let numbers = arrays.whole(array, Some(count))?;
+                let kinds = numbers.iter().enumerate().map(|(i, &number)| {
+                    let expected = "0 (input), 1 (shell), 2 (midpoint) or 3 (circumcenter)";
+                    provenance(number).ok_or_else(|| value(PROVENANCE, i, expected, number))
+                });
+                mesh.provenance = kinds.collect::<Result<_, _>>()?;
+            }
+            MARKER => mesh.point_markers = tags(&arrays.whole(array, Some(count))?, MARKER)?,
+            _ => {
+                let values = arrays.values(array, count.checked_mul(array.components))?;
+                mesh.point_data.push(data(array, values));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn provenance(number: i64) -> Option<Provenance> {
+    use Provenance::{Circumcenter, Input, Midpoint, Shell};
+    [Input, Shell, Midpoint, Circumcenter].into_iter().find(|&kind| kind as i64 == number)
+}
+
+fn tags(numbers: &[i64], name: &str) -> Result<Vec<Tag>, Fault> {
+    let tag = |(index, &number): (usize, &i64)| {
+        let wrong = |_| value(name, index, "a whole number of 32 bits", number);
+        Tag::try_from(number).map_err(wrong)
+    };
+    numbers.iter().enumerate().map(tag).collect()
+}
+
+fn data(array: &Description, values: Values) -> Data {
+    Data { name: array.name.clone(), components: array.components as usize, values }
+}
+
+/// Tags, input segments and the data of triangles; answers which tag a group's number stands for,
+/// by dimension and number.
+fn cell_data(
+    arrays: &Arrays,
+    cells: &Cells,
+    mesh: &mut Mesh,
+) -> Result<BTreeMap<(u8, i64), Tag>, Fault> {
+    let count = Some(cells.count as u64);
+    let whole = |name| match arrays.find(Section::Cell, name) {
+        Some(array) => arrays.whole(array, count).map(Some),
+        None => Ok(None),
+    };
+    let physical = whole(PHYSICAL)?;
+    let numbers = match whole(TAG)? {
+        Some(tag) => tags(&tag, TAG)?,
+        None => tags(physical.as_deref().unwrap_or(&vec![0; cells.count]), PHYSICAL)?,
+    };
+    mesh.edge_tags = cells.edges.iter().map(|&cell| numbers[cell]).collect();
+    mesh.triangle_tags = cells.triangles.iter().map(|&cell| numbers[cell]).collect();
+    if let Some(segments) = whole(SEGMENT)? {
+        mesh.edge_segments = cells
+            .edges
+            .iter()
+            .map(|&cell| {
+                segment(segments[cell])
+                    .ok_or_else(|| value(SEGMENT, cell, "a segment's number or -1", segments[cell]))
+            })
+            .collect::<Result<_, _>>()?;
+    }
+    for array in arrays.of(Section::Cell) {
+        if ![PHYSICAL, TAG, SEGMENT].contains(&array.name.as_str()) {
+            let total = (cells.count as u64).checked_mul(array.components);
+            let values = of_triangles(arrays.values(array, total)?, array, cells);
+            mesh.triangle_data.push(data(array, values));
+        }
+    }
+    let mut meaning = BTreeMap::new();
+    for (dim, cells) in [(1, &cells.edges), (2, &cells.triangles)] {
+        for &cell in cells {
+            let number = physical.as_ref().map_or(i64::from(numbers[cell]), |all| all[cell]);
+            meaning.entry((dim, number)).or_insert(numbers[cell]);
+        }
+    }
+    Ok(meaning)
+}
+
+fn segment(number: i64) -> Option<u32> {
+    if number == -1 { Some(u32::MAX) } else { u32::try_from(number).ok() }
+}
+
+fn of_triangles(values: Values, array: &Description, cells: &Cells) -> Values {
+    fn pick<T: Copy>(values: &[T], components: usize, cells: &[usize]) -> Vec<T> {
+        let tuple = |&cell: &usize| &values[cell * components..(cell + 1) * components];
+        cells.iter().flat_map(tuple).copied().collect()
+    }
+    let components = array.components as usize;
+    match values {
+        Values::Real(values) => Values::Real(pick(&values, components, &cells.triangles)),
+        Values::Integer(values) => Values::Integer(pick(&values, components, &cells.triangles)),
+    }
+}
+
+/// The user's names: those of field arrays that hold pairs, less the stated ones.
+fn groups(
+    arrays: &Arrays,
+    meaning: &BTreeMap<(u8, i64), Tag>,
+    mesh: &mut Mesh,
+) -> Result<(), Fault> {
+    for array in arrays.of(Section::Field) {
+        let Values::Integer(numbers) = arrays.values(array, None)? else { continue };
+        let pairs = numbers.chunks_exact(2);
+        if !pairs.remainder().is_empty() {
+            continue;
+        }
+        for pair in pairs {
+            let (Ok(number), Ok(dim @ (1 | 2))) = (Tag::try_from(pair[0]), u8::try_from(pair[1]))
+            else {
+                continue;
+            };
+            let tag = meaning.get(&(dim, pair[0])).copied().unwrap_or(number);
+            if stated_tag(dim, &array.name) != Some(tag) {
+                mesh.groups.push(Group { dim, tag, name: array.name.clone() });
+            }
+        }
+    }
+    mesh.groups.sort();
+    Ok(())
+}
