@@ -17,6 +17,7 @@
 //! | `segment` | edges | the (zero-based) input segment, −1 for none and for triangles |
 //! | `provenance` | points | 0 input, 1 shell, 2 midpoint, 3 circumcenter ([`Provenance`]) |
 //! | `marker` | points | the marker |
+//! | `meshwright` | field | 0, the version of this table |
 //! | a group's name | field | `[number, dimension]`, one pair for each group of the name |
 //!
 //! Further arrays are the mesh's own data; edges have NaN, or 0 where numbers are whole, in those
@@ -40,3 +41,4 @@ const TAG: &str = "tag";
 const SEGMENT: &str = "segment";
 const PROVENANCE: &str = "provenance";
 const MARKER: &str = "marker";
+const VERSION: &str = "meshwright";

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use quick_xml::escape::escape;
 
-use super::{LINE, MARKER, PHYSICAL, PROVENANCE, SEGMENT, TAG, TRIANGLE};
+use super::{LINE, MARKER, PHYSICAL, PROVENANCE, SEGMENT, TAG, TRIANGLE, VERSION};
 use crate::groups::{Entry, Note, Rules, Table, writable};
 use crate::mesh::{Data, Mesh, Values};
 
@@ -117,6 +117,11 @@ impl<'a> Arrays<'a> {
 }
 
 /// One array for each name, `[number, dimension]` for each group of that name.
+///
+/// The first array is a single byte. It, and that no other array but the last has a length that
+/// is no multiple of four, keeps all further offsets odd: meshio 5.3 gives each array a new offset
+/// (a multiple of four) and then looks for the next one by its old offset; where an old and a new
+/// one are the same number, it mixes up the two arrays.
 fn field_arrays(entries: &[Entry]) -> Vec<Array<'_>> {
     let mut names: Vec<&str> = Vec::new();
     let mut pairs: Vec<Vec<i64>> = Vec::new();
@@ -130,7 +135,8 @@ fn field_arrays(entries: &[Entry]) -> Vec<Array<'_>> {
     }
     let array =
         |(name, pairs): (&str, Vec<i64>)| whole(name, Kind::Int64, pairs.len(), move |i| pairs[i]);
-    names.into_iter().zip(pairs).map(array).collect()
+    let first = whole(VERSION, Kind::UInt8, 1, |_| 0);
+    std::iter::once(first).chain(names.into_iter().zip(pairs).map(array)).collect()
 }
 
 fn point_arrays<'a>(mesh: &'a Mesh, notes: &mut Vec<Note>) -> Vec<Array<'a>> {
@@ -138,7 +144,7 @@ fn point_arrays<'a>(mesh: &'a Mesh, notes: &mut Vec<Note>) -> Vec<Array<'a>> {
     let mut arrays = Vec::new();
     if !mesh.provenance.is_empty() {
         let value = |i| mesh.provenance.get(i).map_or(0, |&kind| kind as i64);
-        arrays.push(whole(PROVENANCE, Kind::UInt8, count, value));
+        arrays.push(whole(PROVENANCE, Kind::Int32, count, value));
     }
     if !mesh.point_markers.is_empty() {
         let value = |i| mesh.point_markers.get(i).map_or(0, |&marker| i64::from(marker));

@@ -1,0 +1,171 @@
+//! The vertices and indices of each group.
+
+use std::io::{self, Write};
+
+use crate::groups::Table;
+use crate::mesh::Mesh;
+
+/// How coordinates become single precision: position = (coordinate − origin) / scale.
+pub(super) struct Frame {
+    pub origin: [f64; 2],
+    pub scale: f64,
+}
+
+impl Frame {
+    /// The frame of the middle of the points.
+    pub fn of(points: &[[f64; 2]]) -> Self {
+        let mut least = [f64::INFINITY; 2];
+        let mut most = [f64::NEG_INFINITY; 2];
+        for point in points {
+            for axis in 0..2 {
+                least[axis] = least[axis].min(point[axis]);
+                most[axis] = most[axis].max(point[axis]);
+            }
+        }
+        if points.is_empty() {
+            return Self { origin: [0.0; 2], scale: 1.0 };
+        }
+        let origin = [0, 1].map(|axis| least[axis] / 2.0 + most[axis] / 2.0);
+        let reach = (most[0] - origin[0]).max(most[1] - origin[1]);
+        Self { origin, scale: scale(reach) }
+    }
+
+    pub fn position(&self, point: [f64; 2]) -> [f32; 3] {
+        let axis = |axis: usize| ((point[axis] - self.origin[axis]) / self.scale) as f32;
+        [axis(0), axis(1), 0.0]
+    }
+}
+
+/// 1 where single precision can hold the mesh with its details; else a power of two near its size.
+fn scale(reach: f64) -> f64 {
+    if reach == 0.0 || (1e-20..1e20).contains(&reach) {
+        return 1.0;
+    }
+    // The power of two whose exponent is that of the reach; at least the smallest normal number.
+    f64::from_bits(reach.max(f64::MIN_POSITIVE).to_bits() & 0x7ff0_0000_0000_0000)
+}
+
+/// What is drawn of one group.
+pub(super) struct Part {
+    /// The group, as an index into the table's entries.
+    pub group: usize,
+    /// The mesh's points that the part uses, by index.
+    pub vertices: Vec<u32>,
+    /// Indices into `vertices`: two for each line, three for each triangle.
+    pub indices: Vec<u32>,
+    /// The colour of all vertices.
+    pub color: [u8; 4],
+    /// The smallest and the largest position, axis by axis.
+    pub least: [f32; 3],
+    pub most: [f32; 3],
+}
+
+impl Part {
+    /// Bytes of positions, of colours and of indices; all of them multiples of four.
+    pub fn sizes(&self) -> [u64; 3] {
+        let (vertices, indices) = (self.vertices.len() as u64, self.indices.len() as u64);
+        [12 * vertices, 4 * vertices, 4 * indices]
+    }
+
+    pub fn bytes(&self) -> u64 {
+        self.sizes().iter().sum()
+    }
+
+    /// Writes positions, colours and indices.
+    pub fn write(&self, mesh: &Mesh, frame: &Frame, out: &mut impl Write) -> io::Result<()> {
+        let mut buffer = Vec::new();
+        for block in self.vertices.chunks(BLOCK) {
+            let positions =
+                block.iter().map(|&vertex| frame.position(mesh.points[vertex as usize]));
+            buffer.extend(positions.flatten().flat_map(f32::to_le_bytes));
+            flush(&mut buffer, out)?;
+        }
+        for block in self.vertices.chunks(BLOCK) {
+            buffer.extend(block.iter().flat_map(|_| self.color));
+            flush(&mut buffer, out)?;
+        }
+        for block in self.indices.chunks(BLOCK) {
+            buffer.extend(block.iter().flat_map(|index| index.to_le_bytes()));
+            flush(&mut buffer, out)?;
+        }
+        Ok(())
+    }
+}
+
+/// Numbers that are gathered before they are handed on.
+const BLOCK: usize = 1 << 14;
+
+fn flush(buffer: &mut Vec<u8>, out: &mut impl Write) -> io::Result<()> {
+    out.write_all(buffer)?;
+    buffer.clear();
+    Ok(())
+}
+
+/// The parts of all groups that have cells, in the order of the table.
+pub(super) fn parts(mesh: &Mesh, table: &Table, frame: &Frame) -> Vec<Part> {
+    let mut corners: Vec<Vec<u32>> = vec![Vec::new(); table.entries.len()];
+    for (edge, &group) in mesh.edges.iter().zip(&table.edges) {
+        corners[group as usize].extend(edge);
+    }
+    for (index, triangle) in mesh.triangles.iter().enumerate() {
+        corners[table.region(mesh.triangle_tag(index))].extend(triangle);
+    }
+    let mut local = vec![u32::MAX; mesh.points.len()];
+    let used = corners.into_iter().enumerate().filter(|(_, corners)| !corners.is_empty());
+    used.map(|(group, corners)| {
+        part(group, corners, table.entries[group].dim, mesh, frame, &mut local)
+    })
+    .collect()
+}
+
+/// One part; `local` is all `u32::MAX` before and after.
+fn part(
+    group: usize,
+    mut corners: Vec<u32>,
+    dim: u8,
+    mesh: &Mesh,
+    frame: &Frame,
+    local: &mut [u32],
+) -> Part {
+    let mut vertices = Vec::new();
+    let (mut least, mut most) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for corner in &mut corners {
+        let place = &mut local[*corner as usize];
+        if *place == u32::MAX {
+            *place = vertices.len() as u32;
+            vertices.push(*corner);
+            let position = frame.position(mesh.points[*corner as usize]);
+            for axis in 0..3 {
+                least[axis] = least[axis].min(position[axis]);
+                most[axis] = most[axis].max(position[axis]);
+            }
+        }
+        *corner = *place;
+    }
+    for &vertex in &vertices {
+        local[vertex as usize] = u32::MAX;
+    }
+    let color: &[[u8; 4]] = if dim == 1 { &LINES } else { &REGIONS };
+    let color = color[group % color.len()];
+    Part { group, vertices, indices: corners, color, least, most }
+}
+
+/// Colours that tell neighbours apart, light for regions and dark for boundaries.
+const REGIONS: [[u8; 4]; 8] = [
+    [166, 206, 227, 255],
+    [178, 223, 138, 255],
+    [253, 191, 111, 255],
+    [202, 178, 214, 255],
+    [251, 154, 153, 255],
+    [255, 237, 160, 255],
+    [153, 216, 201, 255],
+    [217, 217, 217, 255],
+];
+const LINES: [[u8; 4]; 6] = [
+    [31, 60, 120, 255],
+    [140, 30, 30, 255],
+    [20, 100, 40, 255],
+    [90, 40, 120, 255],
+    [150, 80, 10, 255],
+    [40, 40, 40, 255],
+];
