@@ -8,6 +8,7 @@ pub mod domain;
 pub mod draw;
 mod parameters;
 pub mod predicates;
+pub mod statistics;
 
 pub use parameters::{
     Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,

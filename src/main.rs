@@ -1,3 +1,9 @@
 //! The `meshwright` command.
 
-fn main() {}
+mod cli;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ExitCode::from(cli::run() as u8)
+}

@@ -162,9 +162,10 @@ pub fn outline_points(
     legend: &mut Legend,
 ) {
     let pixels: Vec<Pixel> = shown(&pslg.points, frame).map(|(_, pixel)| pixel).collect();
+    let width = dot_width(pixels.len(), frame).min(40.0 * short_line(pslg, frame)).max(120.0);
     if room_for(pixels.len(), dots, frame) {
         let (colour, name) = palette::point_kind(Provenance::Input);
-        draw_dots(&pixels, colour, dot_width(pixels.len(), frame), page);
+        draw_dots(&pixels, colour, width, page);
         if !pixels.is_empty() {
             legend.add(Swatch::Dot(colour), name.trim_start_matches("input "));
         }
@@ -303,6 +304,18 @@ fn line_width(lines: usize, frame: &Frame) -> f64 {
 fn dot_width(dots: usize, frame: &Frame) -> f64 {
     let room = (frame.width * frame.height / (dots.max(1) as f64)).sqrt();
     (room * 22.0).clamp(180.0, 480.0).round()
+}
+
+/// The length in pixels that a quarter of the segments do not reach.
+fn short_line(pslg: &Pslg, frame: &Frame) -> f64 {
+    let length = |segment: &[u32; 2]| {
+        let [a, b] = segment.map(|p| pslg.points.get(p as usize).map(|&p| frame.pixel(p)));
+        let (a, b) = (a?, b?);
+        (frame.shows(a) || frame.shows(b)).then(|| libm::hypot(a[0] - b[0], a[1] - b[1]))
+    };
+    let mut lengths: Vec<f64> = pslg.segments.iter().filter_map(length).collect();
+    lengths.sort_unstable_by(f64::total_cmp);
+    lengths.get(lengths.len() / 4).copied().unwrap_or(f64::INFINITY)
 }
 
 fn room_for(points: usize, dots: Dots, frame: &Frame) -> bool {

@@ -15,6 +15,8 @@ const CHARACTER: f64 = 6.9;
 #[derive(Debug, Default)]
 pub struct Legend {
     entries: Vec<(Swatch, String)>,
+    /// How many entries at the front were put there first.
+    first: usize,
 }
 
 /// The sign before an entry.
@@ -38,6 +40,12 @@ impl Legend {
     /// Adds an entry.
     pub fn add(&mut self, swatch: Swatch, text: impl Into<String>) {
         self.entries.push((swatch, text.into()));
+    }
+
+    /// Adds an entry before those that are not the first.
+    pub fn add_first(&mut self, swatch: Swatch, text: impl Into<String>) {
+        self.entries.insert(self.first, (swatch, text.into()));
+        self.first += 1;
     }
 
     /// The legend of a page of this width, beginning at this height: its SVG and its own height.
@@ -64,7 +72,8 @@ impl Legend {
             if let Some(swatch) = swatch {
                 swatch.draw(x, y, &mut svg);
             }
-            write!(svg, "<text x=\"{:.1}\" y=\"{:.1}\">", x + 24.0, y + 4.4)
+            let indent = if swatch.is_some() { 24.0 } else { 0.0 };
+            write!(svg, "<text x=\"{:.1}\" y=\"{:.1}\">", x + indent, y + 4.4)
                 .expect("writing to a string succeeds");
             escape(&text, &mut svg);
             svg.push_str("</text>\n");

@@ -49,7 +49,7 @@ pub fn draw(marks: &[Mark], frame: &Frame, page: &mut String, legend: &mut Legen
                     ring(pixel, palette::FAULT, page);
                     number(fault, pixel, page);
                 }
-                legend.add(Swatch::Ring(palette::FAULT), format!("{fault}: {text}"));
+                legend.add_first(Swatch::Ring(palette::FAULT), format!("{fault}: {text}"));
             }
         }
     }

@@ -1,0 +1,61 @@
+//! `meshwright check`: a triangle mesh judged, alone or against its outline.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use meshwright::certify;
+use meshwright::statistics::Statistics;
+
+use super::failure::{Exit, Failure};
+use super::format::{Format, listed};
+use super::input::{self, Content};
+use super::json;
+use super::options::{PromiseOptions, Scale};
+use super::voice::{Voice, print};
+
+/// What `check` is asked.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// The mesh (`-`: stdin).
+    mesh: PathBuf,
+    /// The outline that it was made from.
+    #[arg(long, value_name = "OUTLINE")]
+    input: Option<PathBuf>,
+    /// The format of the mesh, where its name does not tell.
+    #[arg(long, value_name = "FORMAT")]
+    from: Option<Format>,
+    #[command(flatten)]
+    promise: PromiseOptions,
+    #[command(flatten)]
+    scale: Scale,
+    /// Print the verdict as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Judges.
+pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
+    let read = input::any(&arguments.mesh, arguments.from, voice)?;
+    let Content::Mesh(mesh) = &read.content else {
+        return Err(Failure::usage(format!(
+            "{} holds an outline, where a mesh is wanted ({})",
+            read.name,
+            listed(Format::meshes_are_read)
+        )));
+    };
+    let promise = arguments.promise.promise();
+    let certificate = match &arguments.input {
+        Some(path) => {
+            let (mut pslg, _) = input::outline(path, None, voice)?;
+            arguments.scale.apply(&mut pslg);
+            certify::certify(&pslg, mesh, &promise)
+        }
+        None => certify::certify_alone(mesh, &promise),
+    };
+    if arguments.json {
+        print(&json::check(&read, &Statistics::of(mesh), &certificate))?;
+    } else if !voice.quiet {
+        print(certificate.to_string().as_bytes())?;
+    }
+    Ok(if certificate.holds() { Exit::Done } else { Exit::Promise })
+}

@@ -1,0 +1,146 @@
+//! `meshwright draw`: an outline or a mesh as SVG.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use meshwright::certify::{self, Certificate, Promise};
+use meshwright::domain::{Conflict, Domain, Error};
+use meshwright::draw::{self, Dots, Mark, Options};
+use meshwright::formats::{Mesh, Pslg};
+
+use super::failure::{Exit, Failure};
+use super::format::Format;
+use super::input::{self, Content};
+use super::options::{PromiseOptions, Scale, one_of, zoom_box};
+use super::output::{Pending, STDOUT, check_places};
+use super::voice::Voice;
+use super::wording::bytes;
+
+/// More faults of one kind than this are not marked.
+const MOST_MARKS: usize = 40;
+
+/// What `draw` is asked.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// The outline or the mesh (`-`: stdin).
+    file: PathBuf,
+    /// Where the picture goes, an .svg file (`-`: stdout).
+    #[arg(short, long, value_name = "OUT.svg")]
+    output: PathBuf,
+    /// The format of the input, where its name does not tell.
+    #[arg(long, value_name = "FORMAT")]
+    from: Option<Format>,
+    /// The outline of the mesh: what `check` finds is marked in the picture.
+    #[arg(long, value_name = "OUTLINE")]
+    input: Option<PathBuf>,
+    /// Show only this part of the plane.
+    #[arg(long = "box", value_name = "XMIN,YMIN,XMAX,YMAX", value_parser = zoom_box,
+          allow_hyphen_values = true)]
+    zoom: Option<[f64; 4]>,
+    /// The picture's width in pixels.
+    #[arg(long, value_name = "PX", default_value = "960",
+          value_parser = clap::value_parser!(u32).range(64..=32_768))]
+    width: u32,
+    /// Which points are shown as dots; `auto`: all, where there is room.
+    #[arg(long, default_value = "auto", value_parser = one_of([
+        ("auto", Dots::Auto), ("all", Dots::All), ("none", Dots::None),
+    ]))]
+    points: Dots,
+    /// Leave the legend out.
+    #[arg(long)]
+    no_legend: bool,
+    #[command(flatten)]
+    promise: PromiseOptions,
+    #[command(flatten)]
+    scale: Scale,
+}
+
+/// Draws.
+pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
+    refuse_other_formats(&arguments.output)?;
+    let mut drawn = input::any(&arguments.file, arguments.from, voice)?;
+    let outline = match &arguments.input {
+        Some(path) => Some(input::outline(path, None, voice)?),
+        None => None,
+    };
+    if let Some((_, input)) = &outline {
+        drawn.files.extend_from_slice(&input.files);
+    }
+    check_places(std::slice::from_ref(&arguments.output), &drawn.files)?;
+
+    let promise = arguments.promise.promise();
+    let marks = match (&mut drawn.content, outline) {
+        (Content::Outline(_), Some(_)) => {
+            return Err(Failure::usage("--input goes with a mesh; the file holds an outline"));
+        }
+        (Content::Outline(pslg), None) => {
+            arguments.scale.apply(pslg);
+            conflicts(pslg, &promise)
+        }
+        (Content::Mesh(mesh), Some((mut pslg, _))) => {
+            arguments.scale.apply(&mut pslg);
+            let certificate = certify::certify(&pslg, mesh, &promise);
+            findings(mesh, &certificate)
+        }
+        (Content::Mesh(_), None) => Vec::new(),
+    };
+    let options = Options {
+        width: f64::from(arguments.width),
+        zoom: arguments.zoom,
+        points: arguments.points,
+        legend: !arguments.no_legend,
+        marks,
+    };
+    let (pending, ()) = Pending::write(&arguments.output, |mut out| match &drawn.content {
+        Content::Outline(pslg) => draw::outline(pslg, &options, &mut out),
+        Content::Mesh(mesh) => draw::mesh(mesh, &options, &mut out),
+    })?;
+    let written = pending.finish()?;
+    voice.say(&format!("wrote     {} ({})", written.place.display(), bytes(written.size)));
+    Ok(Exit::Done)
+}
+
+fn refuse_other_formats(output: &Path) -> Result<(), Failure> {
+    let end = output.extension().map(|end| end.to_string_lossy().to_ascii_lowercase());
+    let special = std::fs::metadata(output).is_ok_and(|found| !found.is_file());
+    if output == Path::new(STDOUT) || special || end.as_deref() == Some("svg") {
+        return Ok(());
+    }
+    Err(Failure::usage(format!("{}: only .svg files are drawn", output.display()))
+        .with_help("`rsvg-convert picture.svg -o picture.png` makes a PNG of one"))
+}
+
+/// Where an outline is not ready to mesh.
+fn conflicts(pslg: &Pslg, promise: &Promise) -> Vec<Mark> {
+    let Err(Error::Conflicts(conflicts)) = Domain::new(pslg, promise.region) else {
+        return Vec::new();
+    };
+    let mark = |conflict: &Conflict| Mark::Fault {
+        place: conflict.place,
+        text: conflict.to_string(),
+    };
+    conflicts.first.iter().take(MOST_MARKS).map(mark).collect()
+}
+
+/// What the certificate of a mesh points at.
+fn findings(mesh: &Mesh, certificate: &Certificate) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    for excused in &certificate.excused {
+        let corners = mesh.triangles[excused.triangle as usize];
+        let apex = corners.iter().position(|corner| !excused.edge.contains(corner)).unwrap_or(0);
+        let corner = |i: usize| mesh.points[corners[(apex + i) % 3] as usize];
+        marks.push(Mark::Excused([corner(0), corner(1), corner(2)]));
+    }
+    for judgement in &certificate.judgements {
+        for fault in &judgement.first_limited {
+            if let Some(triangle) = fault.triangle {
+                let corners = mesh.triangles[triangle as usize];
+                marks.push(Mark::Limited(corners.map(|corner| mesh.points[corner as usize])));
+            }
+        }
+        for fault in judgement.first.iter().take(MOST_MARKS) {
+            marks.push(Mark::Fault { place: fault.place, text: fault.to_string() });
+        }
+    }
+    marks
+}

@@ -1,0 +1,75 @@
+//! File formats by their names and by the ends of file names.
+
+use std::path::Path;
+
+/// A file format that the command knows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Format {
+    /// Triangle's outlines.
+    Poly,
+    /// Triangle's points.
+    Node,
+    /// Gmsh's meshes.
+    Msh,
+    /// VTK's unstructured grids.
+    Vtu,
+    /// glTF, binary.
+    Glb,
+}
+
+impl Format {
+    const ALL: [Self; 5] = [Self::Poly, Self::Node, Self::Msh, Self::Vtu, Self::Glb];
+
+    /// The format of a file with this name, `.gz` at its end aside.
+    pub fn of(path: &Path) -> Option<Self> {
+        let mut path = path.to_path_buf();
+        if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("gz")) {
+            path.set_extension("");
+        }
+        let end = path.extension()?.to_str()?.to_ascii_lowercase();
+        Self::ALL.into_iter().find(|format| format.extension() == end)
+    }
+
+    /// The end of a file name, without the dot.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Poly => "poly",
+            Self::Node => "node",
+            Self::Msh => "msh",
+            Self::Vtu => "vtu",
+            Self::Glb => "glb",
+        }
+    }
+
+    /// The name that summaries use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Poly => "Triangle .poly",
+            Self::Node => "Triangle .node",
+            Self::Msh => "Gmsh 2.2",
+            Self::Vtu => "VTK .vtu",
+            Self::Glb => "glTF",
+        }
+    }
+
+    /// Whether outlines are read from it.
+    pub fn holds_outlines(self) -> bool {
+        matches!(self, Self::Poly | Self::Node)
+    }
+
+    /// Whether meshes are read from it.
+    pub fn meshes_are_read(self) -> bool {
+        matches!(self, Self::Msh | Self::Vtu)
+    }
+
+    /// Whether meshes are written to it.
+    pub fn meshes_are_written(self) -> bool {
+        matches!(self, Self::Msh | Self::Vtu | Self::Glb)
+    }
+}
+
+/// The formats that pass a test, as `.poly, .node`.
+pub fn listed(test: impl Fn(Format) -> bool) -> String {
+    let names = Format::ALL.into_iter().filter(|&format| test(format));
+    names.map(|format| format!(".{}", format.extension())).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,139 @@
+//! Outlines and meshes from files, compressed files and stdin.
+
+use std::fs;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use flate2::read::MultiGzDecoder;
+use meshwright::formats::{Mesh, Pslg, node, poly};
+
+use super::failure::{Exit, Failure, reason};
+use super::format::{Format, listed};
+use super::voice::Voice;
+
+/// What a file holds, and every file that was read for it.
+pub struct Input {
+    /// The outline or the mesh.
+    pub content: Content,
+    /// Its format.
+    pub format: Format,
+    /// The name that messages use.
+    pub name: String,
+    /// The files that must not be overwritten.
+    pub files: Vec<PathBuf>,
+}
+
+/// What a file holds.
+pub enum Content {
+    /// An outline.
+    Outline(Pslg),
+    /// A mesh.
+    Mesh(Mesh),
+}
+
+/// Reads an outline.
+pub fn outline(path: &Path, from: Option<Format>, voice: &Voice) -> Result<(Pslg, Input), Failure> {
+    let mut input = any(path, from, voice)?;
+    match std::mem::replace(&mut input.content, Content::Mesh(Mesh::default())) {
+        Content::Outline(pslg) => Ok((pslg, input)),
+        Content::Mesh(_) => Err(Failure::usage(format!(
+            "{} holds a mesh, where an outline is wanted ({})",
+            input.name,
+            listed(Format::holds_outlines)
+        ))),
+    }
+}
+
+/// Reads an outline or a mesh, whichever the file's format holds.
+pub fn any(path: &Path, from: Option<Format>, voice: &Voice) -> Result<Input, Failure> {
+    let format = format_of(path, from)?;
+    let stdin = path == Path::new("-");
+    let name = path.display().to_string();
+    let mut files = if stdin { Vec::new() } else { vec![path.to_path_buf()] };
+    let bytes = if stdin { read_stdin()? } else { read_file(path)? };
+    let wrong = Failure::input;
+    let content = match format {
+        Format::Poly => {
+            let companion = |node: &str| {
+                files.push(PathBuf::from(node));
+                if stdin {
+                    return Err(io::Error::other("an outline from stdin has no file beside it"));
+                }
+                uncompressed(fs::read(node)?)
+            };
+            let (pslg, warnings) = poly::read(&bytes, &name, companion).map_err(wrong)?;
+            warnings.iter().for_each(|warning| voice.warn(warning));
+            Content::Outline(pslg)
+        }
+        Format::Node => {
+            let (pslg, warnings) = node::read(&bytes, &name).map_err(wrong)?;
+            warnings.iter().for_each(|warning| voice.warn(warning));
+            Content::Outline(pslg)
+        }
+        Format::Msh => {
+            let (mesh, warnings) = msh::read(&bytes, &name).map_err(wrong)?;
+            warnings.iter().for_each(|warning| voice.warn(warning));
+            Content::Mesh(mesh)
+        }
+        Format::Vtu => Content::Mesh(vtu::read(&bytes, &name).map_err(Failure::input)?),
+        Format::Glb => return Err(not_read(&name, "glb")),
+    };
+    Ok(Input { content, format, name, files })
+}
+
+fn format_of(path: &Path, from: Option<Format>) -> Result<Format, Failure> {
+    match from.or_else(|| Format::of(path)) {
+        Some(format) => Ok(format),
+        None if path == Path::new("-") => {
+            let known = listed(|f| f.holds_outlines() || f.meshes_are_read()).replace('.', "");
+            Err(Failure::usage("stdin has no name that tells its format")
+                .with_help(format!("--from FORMAT says it: {known}")))
+        }
+        None => {
+            let end = path.extension().unwrap_or_default().to_string_lossy().into_owned();
+            Err(not_read(&path.display().to_string(), &end))
+        }
+    }
+}
+
+fn not_read(name: &str, end: &str) -> Failure {
+    let what = match end {
+        "" => "its name does not tell its format".to_string(),
+        end => format!("files that end in .{end} are not read"),
+    };
+    Failure::usage(format!("{name}: {what}")).with_help(format!(
+        "outlines are read from {}, meshes from {}; --from FORMAT overrides the name",
+        listed(Format::holds_outlines),
+        listed(Format::meshes_are_read)
+    ))
+}
+
+fn read_file(path: &Path) -> Result<Vec<u8>, Failure> {
+    let bytes = fs::read(path).map_err(|error| Failure::io(path, &error))?;
+    uncompressed(bytes).map_err(|error| {
+        Failure::input(format!("{}: this is no whole gzip file: {}", path.display(), reason(&error)))
+    })
+}
+
+fn read_stdin() -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    let read = io::stdin().lock().read_to_end(&mut bytes);
+    let failed = |error: io::Error| Failure {
+        exit: Exit::Io,
+        message: format!("stdin: {}", reason(&error)),
+    };
+    read.map_err(failed)?;
+    uncompressed(bytes).map_err(|error| {
+        Failure::input(format!("stdin: this is no whole gzip file: {}", reason(&error)))
+    })
+}
+
+/// The bytes of a file, unpacked where they begin as a gzip file does.
+fn uncompressed(bytes: Vec<u8>) -> io::Result<Vec<u8>> {
+    if !bytes.starts_with(&[0x1f, 0x8b]) {
+        return Ok(bytes);
+    }
+    let mut unpacked = Vec::new();
+    MultiGzDecoder::new(bytes.as_slice()).read_to_end(&mut unpacked)?;
+    Ok(unpacked)
+}

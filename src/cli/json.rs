@@ -1,0 +1,225 @@
+//! What `--json` prints: one object of a stated version, described by `docs/schema/`.
+//!
+//! Numbers that JSON cannot hold (an area that overflows) are null. Indices count from zero;
+//! *numbers* are those of the user's files. Angles are in degrees.
+
+use meshwright::certify::{Certificate, Fault, Judgement, Promise, Verdict};
+use meshwright::domain::{self, Angle, ClosestPair, Domain, Feature};
+use meshwright::formats::Pslg;
+use meshwright::statistics::{GroupCount, Statistics};
+use meshwright::{Excuse, Region};
+use serde_json::{Map, Value, json};
+
+use super::info::OutlineFacts;
+use super::input::Input;
+
+/// The version of these objects: it changes when a reader of them would have to change.
+const VERSION: u32 = 1;
+
+/// The answer of `info` about an outline.
+pub fn outline_info(input: &Input, pslg: &Pslg, facts: &OutlineFacts) -> Vec<u8> {
+    let mut object = header("info");
+    object.extend(file(input));
+    object.insert("outline".into(), outline(pslg, facts));
+    finished(object)
+}
+
+fn outline(pslg: &Pslg, facts: &OutlineFacts) -> Value {
+    let clean = facts.domain.as_ref().ok();
+    let error = facts.domain.as_ref().err();
+    let places: Vec<[f64; 2]> = match error {
+        Some(domain::Error::Conflicts(conflicts)) => {
+            conflicts.first.iter().map(|conflict| conflict.place).collect()
+        }
+        _ => Vec::new(),
+    };
+    json!({
+        "points": pslg.points.len(),
+        "segments": pslg.segments.len(),
+        "holes": pslg.holes.len(),
+        "regions": pslg.regions.len(),
+        "extent": facts.extent,
+        "smallest_angle": clean.and_then(|facts| {
+            facts.smallest.map(|smallest| angle(smallest, &facts.domain, pslg))
+        }),
+        "small_angles": clean.map(|facts| facts.small),
+        "closest_pair": clean.and_then(|facts| {
+            facts.closest.map(|closest| closest_pair(closest, &facts.domain, pslg))
+        }),
+        "area": clean.map(|facts| facts.domain.area()),
+        "groups": groups(&facts.groups),
+        "ready": error.is_none(),
+        "warnings": clean.map_or_else(Vec::new, |facts| texts(&facts.warnings)),
+        "error": error.map(ToString::to_string),
+        "places": places,
+    })
+}
+
+fn angle(angle: Angle, domain: &Domain, pslg: &Pslg) -> Value {
+    json!({
+        "degrees": angle.radians.to_degrees(),
+        "point": pslg.source.point_number(domain.input_points[angle.apex as usize]),
+        "segments": angle.segments.map(|segment| segment_number(segment, domain, pslg)),
+    })
+}
+
+fn closest_pair(closest: ClosestPair, domain: &Domain, pslg: &Pslg) -> Value {
+    let point = |p: u32| pslg.source.point_number(domain.input_points[p as usize]);
+    let (other, segment) = match closest.feature {
+        Feature::Point(other) => (Some(point(other)), None),
+        Feature::Segment(segment) => (None, segment_number(segment, domain, pslg)),
+    };
+    json!({
+        "distance": closest.distance,
+        "point": point(closest.point),
+        "other_point": other,
+        "segment": segment,
+    })
+}
+
+/// The file's number of a segment; none for an edge of the convex hull that the outline lacks.
+fn segment_number(segment: u32, domain: &Domain, pslg: &Pslg) -> Option<i64> {
+    let input = domain.input_segments[segment as usize];
+    (input != u32::MAX).then(|| pslg.source.segment_number(input))
+}
+
+/// The answer of `info` about a mesh.
+pub fn mesh_info(input: &Input, statistics: &Statistics) -> Vec<u8> {
+    let mut object = header("info");
+    object.extend(file(input));
+    object.insert("mesh".into(), mesh(statistics));
+    finished(object)
+}
+
+/// A mesh's counts and angles.
+fn mesh(statistics: &Statistics) -> Value {
+    let kinds = statistics.kinds.map(|kinds| {
+        json!({
+            "input": kinds.input,
+            "shell": kinds.shell,
+            "midpoint": kinds.midpoint,
+            "circumcenter": kinds.circumcenter,
+        })
+    });
+    json!({
+        "points": statistics.points,
+        "points_by_kind": kinds,
+        "triangles": statistics.triangles,
+        "edges": statistics.edges,
+        "area": statistics.area,
+        "smallest_angle": statistics.smallest_angle.to_degrees(),
+        "largest_angle": statistics.largest_angle.to_degrees(),
+        "histogram": {
+            "bin": 5,
+            "smallest_angles_from_0": statistics.smallest_angles,
+            "largest_angles_from_60": statistics.largest_angles,
+        },
+        "groups": groups(&statistics.groups),
+    })
+}
+
+/// The verdict of `check`.
+pub fn check(input: &Input, statistics: &Statistics, certificate: &Certificate) -> Vec<u8> {
+    let mut object = header("check");
+    object.extend(file(input));
+    object.insert("mesh".into(), mesh(statistics));
+    object.insert("certificate".into(), self::certificate(certificate));
+    finished(object)
+}
+
+fn certificate(certificate: &Certificate) -> Value {
+    json!({
+        "holds": certificate.holds(),
+        "limited_by_precision": certificate.limited(),
+        "promise": promise(&certificate.promise),
+        "theta_star": certificate.theta_star.map(f64::to_degrees),
+        "guarantees": certificate.judgements.iter().map(judgement).collect::<Vec<_>>(),
+        "excused": certificate.excused.iter().map(|excused| json!({
+            "triangle": excused.triangle,
+            "degrees": excused.angle.to_degrees(),
+            "edge": excused.edge,
+            "segments": excused.segments.map(|segment| segment.number),
+            "theta": excused.theta.to_degrees(),
+        })).collect::<Vec<_>>(),
+        "apexes": certificate.apexes.iter().map(|apex| json!({
+            "point": apex.point.number,
+            "segments": apex.segments.map(|segment| segment.number),
+            "theta": apex.theta.to_degrees(),
+            "reach": apex.reach,
+            "place": apex.place,
+        })).collect::<Vec<_>>(),
+        "limited_triangles": certificate.limited_triangles,
+        "not_judged": certificate.not_judged,
+    })
+}
+
+fn promise(promise: &Promise) -> Value {
+    json!({
+        "min_angle": promise.min_angle.degrees(),
+        "region": match promise.region {
+            Region::Domain => "domain",
+            Region::Hull => "hull",
+        },
+        "excuse": match promise.excuse {
+            Excuse::Measured => "measured",
+            Excuse::Midpoints => "midpoints",
+        },
+    })
+}
+
+fn judgement(judgement: &Judgement) -> Value {
+    let (verdict, reason) = match judgement.verdict() {
+        Verdict::Holds => ("holds", None),
+        Verdict::Fails => ("fails", None),
+        Verdict::LimitedByPrecision => ("limited by precision", None),
+        Verdict::NotJudged(reason) => ("not judged", Some(reason)),
+    };
+    json!({
+        "code": judgement.guarantee.code(),
+        "name": judgement.guarantee.name(),
+        "verdict": verdict,
+        "reason": reason,
+        "faults": judgement.faults,
+        "first": judgement.first.iter().map(fault).collect::<Vec<_>>(),
+        "limited": judgement.limited,
+    })
+}
+
+fn fault(fault: &Fault) -> Value {
+    json!({
+        "text": fault.to_string(),
+        "place": fault.place,
+        "triangle": fault.triangle,
+        "edge": fault.edge,
+        "point": fault.point,
+        "segment": fault.segment.map(|segment| segment.number),
+        "input_point": fault.input_point.map(|point| point.number),
+        "degrees": fault.angle.map(f64::to_degrees),
+    })
+}
+
+fn groups(groups: &[GroupCount]) -> Vec<Value> {
+    let group = |group: &GroupCount| json!({ "dim": group.dim, "tag": group.tag, "name": group.name, "count": group.count });
+    groups.iter().map(group).collect()
+}
+
+fn texts(messages: &[impl ToString]) -> Vec<String> {
+    messages.iter().map(ToString::to_string).collect()
+}
+
+fn header(command: &str) -> Map<String, Value> {
+    let mut object = Map::new();
+    object.insert("version".into(), json!(VERSION));
+    object.insert("meshwright".into(), json!(env!("CARGO_PKG_VERSION")));
+    object.insert("command".into(), json!(command));
+    object
+}
+
+fn file(input: &Input) -> [(String, Value); 2] {
+    [("file".into(), json!(input.name)), ("format".into(), json!(input.format.extension()))]
+}
+
+fn finished(object: Map<String, Value>) -> Vec<u8> {
+    let text = serde_json::to_string_pretty(&Value::Object(object));
+    (text.expect("an object whose keys are strings becomes JSON") + "\n").into_bytes()
+}

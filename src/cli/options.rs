@@ -1,0 +1,105 @@
+//! Options that several commands share, and how their values are read.
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use meshwright::certify::Promise;
+use meshwright::formats::Pslg;
+use meshwright::{Excuse, MinAngle, Region};
+
+/// What the mesh is held to: the same options, with the same defaults, for `mesh` and `check`.
+#[derive(Debug, Args)]
+pub struct PromiseOptions {
+    /// The smallest angle that is promised where the outline allows it, up to 26.452
+    /// [default: 26.45].
+    #[arg(long, value_name = "DEG", value_parser = min_angle, allow_negative_numbers = true)]
+    min_angle: Option<MinAngle>,
+    /// What is meshed: what the segments enclose less the holes, or the whole convex hull.
+    #[arg(long, default_value = "domain", value_parser = one_of([
+        ("domain", Region::Domain), ("hull", Region::Hull),
+    ]))]
+    region: Region,
+    /// When a smaller angle is excused: by its measure, or between midpoints only.
+    #[arg(long, default_value = "measured", value_parser = one_of([
+        ("measured", Excuse::Measured), ("midpoints", Excuse::Midpoints),
+    ]))]
+    excuse: Excuse,
+}
+
+impl PromiseOptions {
+    /// The promise that these options stand for.
+    pub fn promise(&self) -> Promise {
+        Promise {
+            min_angle: self.min_angle.unwrap_or_default(),
+            region: self.region,
+            excuse: self.excuse,
+        }
+    }
+}
+
+/// Multiplying an outline's lengths.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct Scale {
+    /// Multiply the outline's coordinates by this (0.001: millimetres to metres).
+    #[arg(long, value_name = "F", value_parser = positive, allow_negative_numbers = true)]
+    scale: Option<f64>,
+}
+
+impl Scale {
+    /// The outline with every length multiplied.
+    pub fn apply(self, pslg: &mut Pslg) {
+        let Some(factor) = self.scale else { return };
+        let scale = |place: &mut [f64; 2]| *place = place.map(|x| x * factor);
+        pslg.points.iter_mut().for_each(scale);
+        pslg.holes.iter_mut().for_each(scale);
+        pslg.point_sizes.iter_mut().for_each(|size| *size *= factor);
+        for region in &mut pslg.regions {
+            scale(&mut region.seed);
+            region.max_area = region.max_area.map(|area| area * factor * factor);
+        }
+    }
+}
+
+/// One of a few words, each with its value.
+pub fn one_of<T: Clone + Send + Sync + 'static, const N: usize>(
+    choices: [(&'static str, T); N],
+) -> impl TypedValueParser<Value = T> {
+    let words = PossibleValuesParser::new(choices.each_ref().map(|(word, _)| *word));
+    words.map(move |word| {
+        let chosen = choices.iter().find(|(choice, _)| *choice == word);
+        chosen.expect("the parser lets only the choices through").1.clone()
+    })
+}
+
+/// A finite number greater than zero.
+pub fn positive(text: &str) -> Result<f64, String> {
+    match number(text)? {
+        value if value > 0.0 => Ok(value),
+        _ => Err("it must be greater than 0".to_string()),
+    }
+}
+
+/// A finite number.
+pub fn number(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err("this is no finite number".to_string()),
+    }
+}
+
+/// A zoom box, `xmin,ymin,xmax,ymax`.
+pub fn zoom_box(text: &str) -> Result<[f64; 4], String> {
+    let words: Vec<&str> = text.split(',').collect();
+    let [xmin, ymin, xmax, ymax] = words[..] else {
+        return Err("a box has four numbers: xmin,ymin,xmax,ymax".to_string());
+    };
+    let zoom = [number(xmin)?, number(ymin)?, number(xmax)?, number(ymax)?];
+    if zoom[0] < zoom[2] && zoom[1] < zoom[3] {
+        Ok(zoom)
+    } else {
+        Err("the box is empty: xmin < xmax and ymin < ymax are needed".to_string())
+    }
+}
+
+fn min_angle(text: &str) -> Result<MinAngle, String> {
+    MinAngle::from_degrees(number(text)?).map_err(|error| error.to_string())
+}

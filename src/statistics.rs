@@ -1,0 +1,339 @@
+//! Counts and angles of a mesh, for summaries.
+
+use std::collections::BTreeMap;
+
+use meshwright_formats::{Group, Mesh, Provenance, Tag};
+
+/// What a mesh consists of.
+///
+/// ```
+/// use meshwright::{Mesh, statistics::Statistics};
+/// let mesh = Mesh {
+///     points: vec![[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]],
+///     triangles: vec![[0, 1, 2]],
+///     ..Mesh::default()
+/// };
+/// let statistics = Statistics::of(&mesh);
+/// assert_eq!(statistics.area, 2.0);
+/// assert_eq!(statistics.smallest_angle.to_degrees(), 45.0);
+/// assert_eq!(statistics.largest_angle.to_degrees(), 90.0);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Statistics {
+    /// Number of points.
+    pub points: usize,
+    /// Number of points of each kind; `None` where the mesh does not know the kinds.
+    pub kinds: Option<Kinds>,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Number of boundary and interface edges.
+    pub edges: usize,
+    /// Sum of the triangles' areas, in squared units of the coordinates.
+    pub area: f64,
+    /// The smallest angle in radians; 0 for a mesh without triangles.
+    pub smallest_angle: f64,
+    /// The largest angle in radians; 0 for a mesh without triangles.
+    pub largest_angle: f64,
+    /// How many triangles have their smallest angle in each of [0°, 5°), [5°, 10°), … [55°, 60°].
+    pub smallest_angles: [usize; 12],
+    /// How many triangles have their largest angle in each of [60°, 65°), … [175°, 180°].
+    pub largest_angles: [usize; 24],
+    /// The groups of edges, then those of triangles, each by tag; tag 0 stands for those without.
+    pub groups: Vec<GroupCount>,
+}
+
+/// Numbers of points by kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Kinds {
+    /// Points of the outline.
+    pub input: usize,
+    /// Points on segments that count as input (see [`Provenance::Shell`]).
+    pub shell: usize,
+    /// Midpoints of subsegments.
+    pub midpoint: usize,
+    /// Steiner points inside.
+    pub circumcenter: usize,
+}
+
+/// A group and how much belongs to it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GroupCount {
+    /// 1 for edges, 2 for triangles.
+    pub dim: u8,
+    /// The tag.
+    pub tag: Tag,
+    /// Its name, if it has one.
+    pub name: Option<String>,
+    /// Number of edges or triangles.
+    pub count: usize,
+}
+
+impl Statistics {
+    /// Counts a mesh and measures its angles. Triangles that name points which do not exist are
+    /// counted, not measured.
+    #[must_use]
+    pub fn of(mesh: &Mesh) -> Self {
+        let mut angles = Angles::new(mesh);
+        for &triangle in &mesh.triangles {
+            angles.measure(triangle);
+        }
+        Self {
+            points: mesh.points.len(),
+            kinds: kinds(mesh),
+            triangles: mesh.triangles.len(),
+            edges: mesh.edges.len(),
+            area: angles.area(),
+            smallest_angle: angles.smallest(),
+            largest_angle: angles.largest(),
+            smallest_angles: angles.smallest_angles,
+            largest_angles: angles.largest_angles,
+            groups: groups(mesh),
+        }
+    }
+}
+
+/// The smallest angle in radians of all but the excused ones, each given by its triangle and the
+/// edge opposite it (in the order of the triangles); 0 where no angle is left.
+#[must_use]
+pub fn smallest_angle_but(mesh: &Mesh, excused: impl IntoIterator<Item = (u32, [u32; 2])>) -> f64 {
+    let mut excused = excused.into_iter().peekable();
+    let angles = Angles::new(mesh);
+    let mut largest_cotangent = f64::NEG_INFINITY;
+    for (t, triangle) in mesh.triangles.iter().enumerate() {
+        let Some(cotangents) = angles.cotangents(*triangle) else { continue };
+        let mut left = [true; 3];
+        while let Some((_, edge)) = excused.next_if(|&(of, _)| of as usize <= t) {
+            for (left, corner) in left.iter_mut().zip(triangle) {
+                *left &= edge.contains(corner);
+            }
+        }
+        for (cotangent, _) in cotangents.iter().zip(left).filter(|&(_, left)| left) {
+            largest_cotangent = largest_cotangent.max(*cotangent);
+        }
+    }
+    angle(largest_cotangent)
+}
+
+fn kinds(mesh: &Mesh) -> Option<Kinds> {
+    if mesh.provenance.len() != mesh.points.len() {
+        return None;
+    }
+    let mut kinds = Kinds::default();
+    for kind in &mesh.provenance {
+        *match kind {
+            Provenance::Input => &mut kinds.input,
+            Provenance::Shell => &mut kinds.shell,
+            Provenance::Midpoint => &mut kinds.midpoint,
+            Provenance::Circumcenter => &mut kinds.circumcenter,
+        } += 1;
+    }
+    Some(kinds)
+}
+
+fn groups(mesh: &Mesh) -> Vec<GroupCount> {
+    let mut counts = BTreeMap::<(u8, Tag), usize>::new();
+    for edge in 0..mesh.edges.len() {
+        *counts.entry((1, mesh.edge_tags.get(edge).copied().unwrap_or(0))).or_default() += 1;
+    }
+    for triangle in 0..mesh.triangles.len() {
+        let tag = mesh.triangle_tags.get(triangle).copied().unwrap_or(0);
+        *counts.entry((2, tag)).or_default() += 1;
+    }
+    let named = |dim, tag| {
+        let group = mesh.groups.iter().find(|g: &&Group| g.dim == dim && g.tag == tag);
+        group.map(|group| group.name.clone())
+    };
+    let counted = counts.into_iter();
+    counted
+        .map(|((dim, tag), count)| GroupCount { dim, tag, name: named(dim, tag), count })
+        .collect()
+}
+
+/// Angles are kept as cotangents, which fall as angles grow: no trigonometry per triangle.
+struct Angles<'a> {
+    points: &'a [[f64; 2]],
+    /// Coordinates are multiplied by 2 to this power, so that no product over- or underflows.
+    exponent: i32,
+    /// Cotangents of 5°, 10°, …, 175°.
+    bounds: [f64; 35],
+    largest_cotangent: f64,
+    smallest_cotangent: f64,
+    twice_area: f64,
+    smallest_angles: [usize; 12],
+    largest_angles: [usize; 24],
+}
+
+impl<'a> Angles<'a> {
+    fn new(mesh: &'a Mesh) -> Self {
+        let largest = mesh.points.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let exponent = if largest > 0.0 && largest.is_finite() { -libm::ilogb(largest) } else { 0 };
+        let bound = |i: usize| 1.0 / libm::tan((5.0 * (i + 1) as f64).to_radians());
+        Self {
+            points: &mesh.points,
+            // Within ±100 nothing happens to products of two lengths.
+            exponent: if exponent.abs() <= 100 { 0 } else { exponent },
+            bounds: std::array::from_fn(bound),
+            largest_cotangent: f64::NEG_INFINITY,
+            smallest_cotangent: f64::INFINITY,
+            twice_area: 0.0,
+            smallest_angles: [0; 12],
+            largest_angles: [0; 24],
+        }
+    }
+
+    fn measure(&mut self, triangle: [u32; 3]) {
+        let Some([a, b, c]) = self.corners(triangle) else { return };
+        self.twice_area += cross(difference(b, a), difference(c, a));
+        let [a, b, c] = cotangents([a, b, c]);
+        let (steepest, flattest) = (a.max(b).max(c), a.min(b).min(c));
+        self.largest_cotangent = self.largest_cotangent.max(steepest);
+        self.smallest_cotangent = self.smallest_cotangent.min(flattest);
+        let bin = |cotangent: f64| self.bounds.partition_point(|&bound| cotangent <= bound);
+        let (smallest, largest) = (bin(steepest).min(11), bin(flattest).clamp(12, 35) - 12);
+        self.smallest_angles[smallest] += 1;
+        self.largest_angles[largest] += 1;
+    }
+
+    /// The cotangents of a triangle's angles, or nothing where a corner does not exist.
+    fn cotangents(&self, triangle: [u32; 3]) -> Option<[f64; 3]> {
+        self.corners(triangle).map(cotangents)
+    }
+
+    fn corners(&self, triangle: [u32; 3]) -> Option<[[f64; 2]; 3]> {
+        let corner = |i: u32| self.points.get(i as usize).map(|p| self.scaled(*p));
+        let [a, b, c] = triangle.map(corner);
+        Some([a?, b?, c?])
+    }
+
+    fn scaled(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        match self.exponent {
+            0 => [x, y],
+            exponent => [libm::scalbn(x, exponent), libm::scalbn(y, exponent)],
+        }
+    }
+
+    fn area(&self) -> f64 {
+        libm::scalbn(self.twice_area / 2.0, -2 * self.exponent)
+    }
+
+    fn smallest(&self) -> f64 {
+        angle(self.largest_cotangent)
+    }
+
+    fn largest(&self) -> f64 {
+        angle(self.smallest_cotangent)
+    }
+}
+
+fn cotangents([a, b, c]: [[f64; 2]; 3]) -> [f64; 3] {
+    let edges = [difference(c, b), difference(a, c), difference(b, a)]; // opposite a, b, c
+    let cross = cross(edges[2], edges[0]).abs();
+    // The angle at a corner lies between the other two edges, one of them reversed.
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| -dot(edges[i], edges[j]) / cross)
+}
+
+/// The angle from 0 to π with this cotangent; 0 where nothing was measured.
+fn angle(cotangent: f64) -> f64 {
+    if cotangent == f64::INFINITY || cotangent == f64::NEG_INFINITY {
+        return 0.0;
+    }
+    libm::atan2(1.0, cotangent)
+}
+
+fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0].mul_add(b[0], a[1] * b[1])
+}
+
+/// a × b, to the last bit or two also where the products nearly cancel (Kahan).
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let product = a[1] * b[0];
+    let error = (-a[1]).mul_add(b[0], product);
+    a[0].mul_add(b[1], -product) + error
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two right triangles, one of them with a thin corner of about 0.57°.
+    fn two() -> Mesh {
+        Mesh {
+            points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, -0.01]],
+            triangles: vec![[0, 1, 2], [0, 3, 1]],
+            triangle_tags: vec![4, 0],
+            edges: vec![[0, 1], [1, 2], [2, 0]],
+            edge_tags: vec![2, -1, 2],
+            groups: vec![Group { dim: 1, tag: 2, name: "wall".into() }],
+            ..Mesh::default()
+        }
+    }
+
+    #[test]
+    fn angles_fall_into_bins_of_five_degrees() {
+        let statistics = Statistics::of(&two());
+        assert_eq!(statistics.smallest_angles, [1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0]);
+        assert_eq!(statistics.largest_angles.iter().position(|&n| n == 2), Some(6));
+        assert!((statistics.smallest_angle - 0.01_f64.atan()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn excused_angles_are_left_out_one_by_one() {
+        let mesh = two();
+        let thin = Statistics::of(&mesh).smallest_angle;
+        assert_eq!(smallest_angle_but(&mesh, []), thin);
+        // Without its thin corner the second triangle still has two large ones.
+        let left = smallest_angle_but(&mesh, [(1, [1, 3])]);
+        assert!((left.to_degrees() - 45.0).abs() < 1e-12, "{left}");
+    }
+
+    #[test]
+    fn scaling_changes_no_angle() {
+        let plain = Statistics::of(&two());
+        for exponent in [-1000, 1000] {
+            let mut mesh = two();
+            for point in &mut mesh.points {
+                *point = point.map(|x| libm::scalbn(x, exponent));
+            }
+            let scaled = Statistics::of(&mesh);
+            assert_eq!(scaled.smallest_angle, plain.smallest_angle);
+            assert_eq!(scaled.largest_angle, plain.largest_angle);
+            assert_eq!(scaled.largest_angles, plain.largest_angles);
+        }
+    }
+
+    #[test]
+    fn groups_are_counted_by_dimension_and_tag() {
+        let counts: Vec<_> = Statistics::of(&two())
+            .groups
+            .into_iter()
+            .map(|group| (group.dim, group.tag, group.name, group.count))
+            .collect();
+        let wall = Some("wall".to_string());
+        assert_eq!(counts, [(1, -1, None, 1), (1, 2, wall, 2), (2, 0, None, 1), (2, 4, None, 1)]);
+    }
+
+    #[test]
+    fn kinds_are_unknown_where_the_mesh_does_not_tell() {
+        let mut mesh = two();
+        assert_eq!(Statistics::of(&mesh).kinds, None);
+        mesh.provenance = vec![Provenance::Input; 4];
+        assert_eq!(Statistics::of(&mesh).kinds, Some(Kinds { input: 4, ..Kinds::default() }));
+    }
+
+    #[test]
+    fn an_empty_mesh_has_no_angles() {
+        let statistics = Statistics::of(&Mesh::default());
+        assert_eq!((statistics.smallest_angle, statistics.area), (0.0, 0.0));
+    }
+
+    #[test]
+    fn broken_triangles_do_no_harm() {
+        let mut mesh = two();
+        mesh.triangles = vec![[0, 1, 9], [0, 0, 1], [0, 0, 0]];
+        assert_eq!(Statistics::of(&mesh).triangles, 3);
+    }
+}
