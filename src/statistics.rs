@@ -234,7 +234,7 @@ fn cotangents([a, b, c]: [[f64; 2]; 3]) -> [f64; 3] {
 
 /// The angle from 0 to π with this cotangent; 0 where nothing was measured.
 fn angle(cotangent: f64) -> f64 {
-    if cotangent == f64::INFINITY || cotangent == f64::NEG_INFINITY {
+    if cotangent.is_infinite() {
         return 0.0;
     }
     libm::atan2(1.0, cotangent)

@@ -115,10 +115,8 @@ fn conflicts(pslg: &Pslg, promise: &Promise) -> Vec<Mark> {
     let Err(Error::Conflicts(conflicts)) = Domain::new(pslg, promise.region) else {
         return Vec::new();
     };
-    let mark = |conflict: &Conflict| Mark::Fault {
-        place: conflict.place,
-        text: conflict.to_string(),
-    };
+    let mark =
+        |conflict: &Conflict| Mark::Fault { place: conflict.place, text: conflict.to_string() };
     conflicts.first.iter().take(MOST_MARKS).map(mark).collect()
 }
 

@@ -128,7 +128,8 @@ fn outline(input: &Input, pslg: &Pslg, facts: &OutlineFacts) -> String {
             text += &line("outline", "ready to mesh");
         }
         Err(error) => {
-            text += &line("outline", &format!("not ready to mesh: {}", indented(&error.to_string())));
+            text +=
+                &line("outline", &format!("not ready to mesh: {}", indented(&error.to_string())));
         }
     }
     text
@@ -162,7 +163,10 @@ fn mesh(input: &Input, mesh: &Mesh, statistics: &Statistics) -> String {
         let kinds = kinds.map(|(number, kind)| format!("{} {kind}", grouped(number as u64)));
         text += &line("points", &kinds.join(", "));
     }
-    text + &line("groups", &groups_text(&statistics.groups, "edge"))
+    if !statistics.groups.is_empty() {
+        text += &line("groups", &groups_text(&statistics.groups, "edge"));
+    }
+    text
 }
 
 /// A line of the answer: a label and what it says.

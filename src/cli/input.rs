@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use flate2::read::MultiGzDecoder;
-use meshwright::formats::{Mesh, Pslg, node, poly};
+use meshwright::formats::{Mesh, Pslg, msh, node, poly, vtu};
 
 use super::failure::{Exit, Failure, reason};
 use super::format::{Format, listed};
@@ -111,7 +111,11 @@ fn not_read(name: &str, end: &str) -> Failure {
 fn read_file(path: &Path) -> Result<Vec<u8>, Failure> {
     let bytes = fs::read(path).map_err(|error| Failure::io(path, &error))?;
     uncompressed(bytes).map_err(|error| {
-        Failure::input(format!("{}: this is no whole gzip file: {}", path.display(), reason(&error)))
+        Failure::input(format!(
+            "{}: this is no whole gzip file: {}",
+            path.display(),
+            reason(&error)
+        ))
     })
 }
 

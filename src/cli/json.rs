@@ -220,6 +220,6 @@ fn file(input: &Input) -> [(String, Value); 2] {
 }
 
 fn finished(object: Map<String, Value>) -> Vec<u8> {
-    let text = serde_json::to_string_pretty(&Value::Object(object));
+    let text = serde_json::to_string(&Value::Object(object));
     (text.expect("an object whose keys are strings becomes JSON") + "\n").into_bytes()
 }

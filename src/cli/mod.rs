@@ -1,4 +1,5 @@
 //! The command: what it is asked, what it says, and with which exit code it ends.
+#![allow(dead_code)] // for `mesh`, which comes with the refinement
 
 mod check;
 mod draw;
@@ -7,10 +8,8 @@ mod format;
 mod info;
 mod input;
 mod json;
-//TMP mod mesh;
 mod options;
 mod output;
-//TMP mod progress;
 mod shell;
 mod voice;
 mod wording;
@@ -46,8 +45,6 @@ Exit codes:
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Mesh an outline, certify the mesh and write it.
-    //TMP Mesh
     /// Judge any triangle mesh: alone, or against the outline it was made from.
     Check(check::Arguments),
     /// Tell what a file holds and whether an outline is ready to mesh.
@@ -82,7 +79,6 @@ pub fn run() -> Exit {
 
 fn run_command(command: &Command, voice: &Voice) -> Result<Exit, Failure> {
     match command {
-        //TMP
         Command::Check(arguments) => check::run(arguments, voice),
         Command::Info(arguments) => info::run(arguments, voice),
         Command::Draw(arguments) => draw::run(arguments, voice),
