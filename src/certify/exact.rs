@@ -307,3 +307,122 @@ fn sign_big(value: &BigInt) -> Ordering {
 fn magnitude(value: &BigInt) -> BigInt {
     BigInt::from(value.magnitude().clone())
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Whole numbers for doubles of moderate size: all multiples of 2^-200.
+    fn big(value: f64) -> BigInt {
+        let (m, e) = parts(value);
+        BigInt::from(m) << (e + 200).unsigned_abs()
+    }
+
+    fn vector(a: Point, b: Point) -> [BigInt; 2] {
+        [big(b[0]) - big(a[0]), big(b[1]) - big(a[1])]
+    }
+
+    fn cross_of([a, b]: &[BigInt; 2], [c, d]: &[BigInt; 2]) -> BigInt {
+        a * d - b * c
+    }
+
+    fn dot_of([a, b]: &[BigInt; 2], [c, d]: &[BigInt; 2]) -> BigInt {
+        a * c + b * d
+    }
+
+    /// Plain determinant of the lifted points, nothing shared with [`in_circle`].
+    fn in_circle_by_definition([a, b, c, d]: [Point; 4]) -> Ordering {
+        let rows = [a, b, c].map(|p| {
+            let v = vector(d, p);
+            let lifted = dot_of(&v, &v);
+            [v[0].clone(), v[1].clone(), lifted]
+        });
+        let [[a, b, c], [d, e, f], [g, h, i]] = &rows;
+        sign_big(&(a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)))
+    }
+
+    /// Coordinates that are often equal, nearly equal or on a grid, so that floats cannot decide.
+    fn coordinate() -> impl Strategy<Value = f64> {
+        let steps = (-4_i32..5, -3_i64..4).prop_map(|(grid, ulps)| {
+            let x = f64::from(grid) * 0.375 + 1.0;
+            x + ulps as f64 * f64::EPSILON
+        });
+        let far = (-3_i32..4).prop_map(|x| 5.4e6 + f64::from(x) * 1e-3);
+        prop_oneof![4 => steps, 1 => -1.0..1.0_f64, 1 => far, 1 => Just(1e-30)]
+    }
+
+    fn point() -> impl Strategy<Value = Point> {
+        [coordinate(), coordinate()]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn orientation_is_the_sign_of_the_determinant(a in point(), b in point(), c in point()) {
+            let expected = sign_big(&cross_of(&vector(a, b), &vector(a, c)));
+            prop_assert_eq!(orientation(a, b, c), expected);
+        }
+
+        #[test]
+        fn dot_is_the_sign_of_the_product(a in point(), b in point(), c in point(), d in point()) {
+            prop_assert_eq!(dot(a, b, c, d), sign_big(&dot_of(&vector(a, b), &vector(c, d))));
+            prop_assert_eq!(diametral(a, b, c), sign_big(&dot_of(&vector(c, a), &vector(c, b))));
+        }
+
+        #[test]
+        fn in_circle_is_the_sign_of_the_determinant(points in [point(), point(), point(), point()]) {
+            let [a, b, c, d] = points;
+            prop_assert_eq!(in_circle(a, b, c, d), in_circle_by_definition(points));
+        }
+
+        #[test]
+        fn a_point_is_within_half_an_ulp_where_the_line_meets_its_box(
+            a in point(), b in point(), p in point(), up in [0..20_i32, 0..20],
+        ) {
+            let ulp = up.map(|e| f64::EPSILON * 2_f64.powi(e - 10));
+            let (along, to) = (vector(a, b), vector(a, p));
+            let corners = [(-1, -1), (-1, 1), (1, -1), (1, 1)].map(|(x, y)| {
+                // 100 times as large: 51 hundredths are whole numbers then.
+                let corner = [&to[0] * 100 + big(ulp[0]) * (51 * x), &to[1] * 100 + big(ulp[1]) * (51 * y)];
+                sign_big(&cross_of(&along, &corner))
+            });
+            let misses = corners.iter().all(|&s| s == Ordering::Less) || corners.iter().all(|&s| s == Ordering::Greater);
+            prop_assert_eq!(within_half_ulp(a, b, p, ulp), !misses);
+        }
+    }
+
+    #[test]
+    fn four_points_of_a_grid_are_cocircular_in_whole_numbers_and_in_big_ones() {
+        for step in [1.0, 0.1, 1e-9, 3.7e5] {
+            let at = |x: f64, y: f64| [step * x, step * y];
+            let (a, b, c, d) = (at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0));
+            assert_eq!(in_circle(a, b, c, d), Ordering::Equal);
+            assert_eq!(in_circle(a, b, c, [d[0].next_up(), d[1]]), Ordering::Greater);
+            assert_eq!(in_circle(a, b, c, [d[0], d[1].next_up()]), Ordering::Less);
+            assert_eq!(diametral(a, c, b), Ordering::Equal);
+        }
+    }
+
+    #[test]
+    fn numbers_that_underflow_in_floats_are_still_told_apart() {
+        let tiny = 1e-200;
+        let (a, b) = ([0.0, 0.0], [tiny, tiny]);
+        assert_eq!(orientation(a, b, [2.0 * tiny, 2.0 * tiny]), Ordering::Equal);
+        assert_eq!(orientation(a, b, [2.0 * tiny, 2.0 * tiny.next_up()]), Ordering::Greater);
+        assert_eq!(in_circle(a, [tiny, 0.0], b, [0.5 * tiny, 0.5 * tiny]), Ordering::Greater);
+    }
+
+    #[test]
+    fn a_needle_angle_keeps_its_digits() {
+        for theta in [1e-3, 1e-9, 1e-15] {
+            let corner = corner([1.0, 1.0], [2.0, 1.0], [2.0, 1.0 + theta]);
+            let exact = (1.0_f64 + theta) - 1.0;
+            assert!(
+                (libm::atan2(corner.cross, corner.dot) / libm::atan(exact) - 1.0).abs() < 1e-14
+            );
+        }
+    }
+}

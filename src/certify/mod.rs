@@ -182,3 +182,6 @@ fn grouped(count: usize, items: impl Iterator<Item = (u32, u32)> + Clone) -> (Ve
     }
     (start, sorted)
 }
+
+#[cfg(test)]
+mod tests;

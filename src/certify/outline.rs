@@ -81,13 +81,12 @@ impl<'a> Outline<'a> {
         };
         outline.merge_points();
         outline.take_segments();
-        let hull = region == Region::Hull || outline.segments.is_empty();
-        if hull {
+        if region == Region::Hull || outline.segments.is_empty() {
             outline.add_hull();
         }
         outline.sort_spokes();
         let seats = outline.find_faces();
-        outline.choose(hull, &seats);
+        outline.choose(&seats);
         outline
     }
 
@@ -330,15 +329,13 @@ impl<'a> Outline<'a> {
     }
 
     /// Which faces are meshed, and of which region they are.
-    fn choose(&mut self, hull: bool, seats: &[Seat]) {
+    fn choose(&mut self, seats: &[Seat]) {
         for face in &mut self.faces[1..] {
             face.meshed = true;
         }
         let (holes, regions) = seats.split_at(self.pslg.holes.len());
-        if !hull {
-            for &face in holes.iter().flatten().filter(|face| **face != 0) {
-                self.faces[face as usize].meshed = false;
-            }
+        for &face in holes.iter().flatten().filter(|face| **face != 0) {
+            self.faces[face as usize].meshed = false;
         }
         for (i, face) in regions.iter().enumerate() {
             let Some(face) = face.map(|face| &mut self.faces[face as usize]) else { continue };

@@ -3,76 +3,49 @@
 //! Formats renumber and name (no number below 1 in `.msh`; whatever has no tag gets a name there),
 //! so tags are compared by name where the outline or the format gave one, else by number.
 
+use std::collections::BTreeMap;
+
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
 use super::outline::Outline;
 use super::verdict::{Fault, FaultKind, Judgement};
-use crate::formats::{Group, Tag};
+use crate::formats::{Group, Tag, groups};
 
-/// The names of the tags of one dimension, in the outline and in the mesh.
+/// The tags of one dimension, in the outline and in the mesh.
 pub(super) struct Tags<'a> {
     dim: u8,
-    outline: Vec<(Tag, &'a str)>,
-    mesh: Vec<(Tag, &'a str)>,
-    /// The last pair that was compared, and the answer: neighbours mostly ask the same.
-    last: Option<(Tag, Tag, bool)>,
+    outline: &'a [Group],
+    mesh: &'a [Group],
+    /// The pairs that were compared, and the answers.
+    known: BTreeMap<(Tag, Tag), bool>,
 }
 
 impl<'a> Tags<'a> {
     pub(super) fn new(dim: u8, outline: &'a [Group], mesh: &'a [Group]) -> Self {
-        let names = |groups: &'a [Group]| {
-            let of_dim = groups.iter().filter(|group| group.dim == dim);
-            let mut names: Vec<_> = of_dim.map(|group| (group.tag, group.name.as_str())).collect();
-            names.sort_unstable();
-            names
-        };
-        Self { dim, outline: names(outline), mesh: names(mesh), last: None }
+        Self { dim, outline, mesh, known: BTreeMap::new() }
     }
 
     /// Whether the tag `found` in the mesh stands for the tag `expected` of the outline.
     pub(super) fn agree(&mut self, expected: Tag, found: Tag) -> bool {
-        if let Some((e, f, answer)) = self.last
-            && (e, f) == (expected, found)
-        {
-            return answer;
-        }
-        let answer = match (name(&self.outline, expected), name(&self.mesh, found)) {
-            (Some(expected), Some(found)) => expected == found,
-            (None, Some(found)) if self.is_stated_name(found, expected) => true,
-            _ => expected == found,
-        };
-        self.last = Some((expected, found, answer));
-        answer
-    }
-
-    /// Whether this is the name that writers give to a tag without a name.
-    fn is_stated_name(&self, name: &str, tag: Tag) -> bool {
-        let stems: &[&str] = if self.dim == 2 { &["region"] } else { &["boundary", "interface"] };
-        stems.iter().any(|stem| {
-            name.strip_prefix(stem).is_some_and(|rest| match rest.strip_prefix('_') {
-                None => rest.is_empty() && tag == 0,
-                Some(number) => number.parse() == Ok(tag),
-            })
-        })
+        let Self { dim, outline, mesh, known } = self;
+        let answer = || groups::agree(*dim, (expected, outline), (found, mesh));
+        *known.entry((expected, found)).or_insert_with(answer)
     }
 
     /// A tag of the outline, for a message.
     pub(super) fn expected(&self, tag: Tag) -> String {
-        with_name(tag, name(&self.outline, tag))
+        self.described(tag, self.outline)
     }
 
     /// A tag of the mesh, for a message.
     pub(super) fn found(&self, tag: Tag) -> String {
-        with_name(tag, name(&self.mesh, tag))
+        self.described(tag, self.mesh)
     }
-}
 
-fn name<'a>(names: &[(Tag, &'a str)], tag: Tag) -> Option<&'a str> {
-    names.binary_search_by_key(&tag, |(tag, _)| *tag).ok().map(|i| names[i].1)
-}
-
-fn with_name(tag: Tag, name: Option<&str>) -> String {
-    name.map_or_else(|| tag.to_string(), |name| format!("{tag} ({name})"))
+    fn described(&self, tag: Tag, groups: &[Group]) -> String {
+        let group = groups.iter().find(|group| group.dim == self.dim && group.tag == tag);
+        group.map_or_else(|| tag.to_string(), |group| format!("{tag} ({})", group.name))
+    }
 }
 
 /// Judges the region tags: each triangle belongs to the face of the outline that it can be
