@@ -355,6 +355,7 @@ fn a_vertex_off_its_segment_is_found() {
                 * 2.0
                 * 10_f64.powi(random.below(12) as i32);
             let length = along[0].hypot(along[1]);
+            let size = size.min(0.2 * length);
             mesh.points[v as usize] =
                 [p[0] - size * along[1] / length, p[1] + size * along[0] / length];
             let damage = vec![a, b, p, mesh.points[v as usize]];
