@@ -3,13 +3,21 @@
 pub use meshwright_formats as formats;
 pub use meshwright_formats::{Mesh, Pslg};
 
+mod assemble;
+mod carve;
 pub mod certify;
+pub mod constructions;
 pub mod domain;
+mod double_double;
 pub mod draw;
 mod parameters;
 pub mod predicates;
+pub mod refine;
+mod run;
 pub mod statistics;
+pub mod triangulation;
 
 pub use parameters::{
     Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,
 };
+pub use run::{Error, Outcome, Warning, mesh, mesh_with};

@@ -2,8 +2,14 @@
 //!
 //! Every answer is the exact one for the doubles given, as long as no product of four differences
 //! of coordinates over- or underflows (the domain is scaled so that none does).
+//!
+//! The kernel asks all its questions about one new point at a time. So the questions of its inner
+//! loop take [`Relative`] coordinates, made once per vertex, and fall back on the absolute ones
+//! only where a float filter leaves them open.
 
 use robust::Coord;
+
+use crate::double_double::{DoubleDouble, two_sum};
 
 /// Where a point lies, seen along a directed line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,6 +35,171 @@ pub fn side(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Side {
     }
 }
 
+/// A vertex seen from the point `p` that is being inserted: `a − p` and its squared length,
+/// rounded.
+#[derive(Debug, Clone, Copy)]
+pub struct Relative {
+    /// `a.x − p.x`
+    pub x: f64,
+    /// `a.y − p.y`
+    pub y: f64,
+    /// `|a − p|²`
+    pub squared: f64,
+}
+
+impl Relative {
+    /// The vertex `a` seen from `p`.
+    #[inline]
+    #[must_use]
+    pub fn of(a: [f64; 2], p: [f64; 2]) -> Self {
+        let (x, y) = (a[0] - p[0], a[1] - p[1]);
+        Self { x, y, squared: x * x + y * y }
+    }
+
+    /// The rounded dot product with another vertex seen from the same point.
+    #[inline]
+    #[must_use]
+    pub fn dot(self, other: Self) -> f64 {
+        self.x * other.x + self.y * other.y
+    }
+
+    /// The rounded cross product with another vertex seen from the same point.
+    #[inline]
+    #[must_use]
+    pub fn cross(self, other: Self) -> f64 {
+        self.x * other.y - self.y * other.x
+    }
+}
+
+/// Whether `p` lies strictly inside the circle through the counter-clockwise `corners`, which
+/// stand in `seen` as seen from `p`.
+#[inline]
+#[must_use]
+pub fn in_circle(seen: [Relative; 3], corners: [[f64; 2]; 3], p: [f64; 2]) -> bool {
+    let [a, b, c] = seen;
+    let determinant = a.squared * b.cross(c) + b.squared * c.cross(a) + c.squared * a.cross(b);
+    // The bound of DESIGN, *Kernel*: 10 ε times the sum of the products of squared lengths.
+    let size = a.squared * b.squared + b.squared * c.squared + c.squared * a.squared;
+    if determinant.abs() > 1.12e-15 * size {
+        return determinant > 0.0;
+    }
+    let [a, b, c] = corners.map(coord);
+    robust::incircle(a, b, c, coord(p)) > 0.0
+}
+
+/// Whether `p`, the point from which `a` and `b` are `seen`, lies strictly to the left of the
+/// directed line from `a` to `b` (`ends`).
+#[inline]
+#[must_use]
+pub fn sees_left(seen: [Relative; 2], ends: [[f64; 2]; 2], p: [f64; 2]) -> bool {
+    let [a, b] = seen;
+    let (plus, minus) = (a.x * b.y, a.y * b.x);
+    let cross = plus - minus;
+    // Shewchuk's bound A for orientation: (3 + 16 ε) ε.
+    if cross.abs() > 3.331e-16 * (plus.abs() + minus.abs()) {
+        return cross > 0.0;
+    }
+    side(ends[0], ends[1], p) == Side::Left
+}
+
+/// Whether `p` encroaches the subsegment `ends`: lies strictly inside its diametral circle,
+/// (a − p)·(b − p) < 0. `seen` are its ends as seen from `p`.
+#[inline]
+#[must_use]
+pub fn encroaches(seen: [Relative; 2], ends: [[f64; 2]; 2], p: [f64; 2]) -> bool {
+    let [a, b] = seen;
+    let (first, second) = (a.x * b.x, a.y * b.y);
+    let dot = first + second;
+    if dot.abs() > 3.331e-16 * (first.abs() + second.abs()) {
+        return dot < 0.0;
+    }
+    exact_dot_sign(ends[0], ends[1], p) < 0.0
+}
+
+/// A number with the sign of (a − p)·(b − p), exactly.
+fn exact_dot_sign(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
+    let mut sum = Expansion::default();
+    for i in 0..2 {
+        let u = DoubleDouble::difference(a[i], p[i]);
+        let v = DoubleDouble::difference(b[i], p[i]);
+        for (s, t) in [(u.hi, v.hi), (u.hi, v.lo), (u.lo, v.hi), (u.lo, v.lo)] {
+            let product = DoubleDouble::product(s, t);
+            sum.add(product.lo);
+            sum.add(product.hi);
+        }
+    }
+    sum.leading()
+}
+
+/// An exact sum of doubles as non-overlapping components of increasing magnitude
+/// (Shewchuk 1997, *Grow-Expansion*).
+#[derive(Default)]
+struct Expansion {
+    components: [f64; 16],
+    length: usize,
+}
+
+impl Expansion {
+    fn add(&mut self, value: f64) {
+        let mut rest = value;
+        for component in &mut self.components[..self.length] {
+            let sum = two_sum(rest, *component);
+            *component = sum.lo;
+            rest = sum.hi;
+        }
+        self.components[self.length] = rest;
+        self.length += 1;
+    }
+
+    /// The largest component that is not zero: it has the sign of the whole sum.
+    fn leading(&self) -> f64 {
+        let components = &self.components[..self.length];
+        components.iter().rev().copied().find(|&c| c != 0.0).unwrap_or(0.0)
+    }
+}
+
 fn coord([x, y]: [f64; 2]) -> Coord<f64> {
     Coord { x, y }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn inside(a: [f64; 2], b: [f64; 2], c: [f64; 2], p: [f64; 2]) -> bool {
+        in_circle([a, b, c].map(|v| Relative::of(v, p)), [a, b, c], p)
+    }
+
+    fn encroached(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> bool {
+        encroaches([a, b].map(|v| Relative::of(v, p)), [a, b], p)
+    }
+
+    #[test]
+    fn a_point_on_the_circle_is_not_inside() {
+        let square = ([0.1, 0.1], [0.7, 0.1], [0.7, 0.7]);
+        assert!(!inside(square.0, square.1, square.2, [0.1, 0.7]));
+        assert!(inside(square.0, square.1, square.2, [0.1f64.next_up(), 0.7]));
+    }
+
+    #[test]
+    fn encroachment_is_strict() {
+        assert!(!encroached([-5.0, 0.0], [5.0, 0.0], [3.0, 4.0]));
+        assert!(encroached([-5.0, 0.0], [5.0, 0.0], [3.0, 4.0f64.next_down()]));
+        assert!(!encroached([-5.0, 0.0], [5.0, 0.0], [3.0, 4.0f64.next_up()]));
+    }
+
+    #[test]
+    fn encroachment_is_exact_far_from_the_origin() {
+        let big = 2f64.powi(40);
+        let (a, b) = ([big - 5.0, big], [big + 5.0, big]);
+        assert!(!encroached(a, b, [big + 3.0, big + 4.0]));
+        assert!(encroached(a, b, [big + 3.0, (big + 4.0).next_down()]));
+    }
+
+    #[test]
+    fn a_point_on_a_line_is_on_no_side() {
+        assert_eq!(side([0.0, 0.0], [3.0, 3.0], [1.0, 1.0]), Side::On);
+        assert_eq!(side([0.0, 0.0], [3.0, 3.0], [1.0, 1.0f64.next_up()]), Side::Left);
+        assert_eq!(side([0.0, 0.0], [3.0, 3.0], [1.0, 1.0f64.next_down()]), Side::Right);
+    }
 }

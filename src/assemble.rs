@@ -1,0 +1,120 @@
+//! From the refined triangulation to the mesh that is written.
+
+use crate::domain::Domain;
+use crate::formats::{Mesh, Pslg, Tag};
+use crate::refine::Refinement;
+
+/// The mesh of a refinement, in the outline's own coordinates, numbers and tags.
+///
+/// `domain_points` tells which point of the domain each of the first vertices is. Vertices that no
+/// triangle uses (points of the outline outside the meshed region) are left out.
+#[must_use]
+pub fn assemble(
+    refinement: &Refinement,
+    domain_points: &[u32],
+    domain: &Domain,
+    pslg: &Pslg,
+) -> Mesh {
+    let order = output_order(refinement, domain_points);
+    let mut place = vec![u32::MAX; refinement.mesh.points.len()];
+    for (new, &vertex) in order.iter().enumerate() {
+        place[vertex as usize] = new as u32;
+    }
+    let edges = subsegments(refinement);
+    let unscale = |c: f64| libm::scalbn(c, domain.scale_exponent);
+    Mesh {
+        points: order.iter().map(|&v| refinement.mesh.points[v as usize].map(unscale)).collect(),
+        point_markers: markers(refinement, &order, domain_points, domain, pslg),
+        provenance: order.iter().map(|&v| refinement.provenances.kind(v)).collect(),
+        triangles: refinement
+            .mesh
+            .triangles
+            .iter()
+            .map(|triangle| triangle.vertices.map(|v| place[v as usize]))
+            .collect(),
+        triangle_tags: region_tags(refinement, domain),
+        edges: edges.iter().map(|edge| edge.ends.map(|v| place[v as usize])).collect(),
+        edge_tags: edges.iter().map(|edge| domain.segment_tags[edge.segment as usize]).collect(),
+        edge_segments: edges
+            .iter()
+            .map(|edge| domain.input_segments[edge.segment as usize])
+            .collect(),
+        groups: pslg.groups.clone(),
+        ..Mesh::default()
+    }
+}
+
+/// The vertices that are used: the outline's in its order, then the others as they were committed.
+fn output_order(refinement: &Refinement, domain_points: &[u32]) -> Vec<u32> {
+    let mut used = vec![false; refinement.mesh.points.len()];
+    for triangle in &refinement.mesh.triangles {
+        for v in triangle.vertices {
+            used[v as usize] = true;
+        }
+    }
+    let mut inputs: Vec<u32> = (0..domain_points.len() as u32).collect();
+    inputs.sort_unstable_by_key(|&v| domain_points[v as usize]);
+    let others = domain_points.len() as u32..refinement.mesh.points.len() as u32;
+    inputs.into_iter().chain(others).filter(|&v| used[v as usize]).collect()
+}
+
+/// A piece of a segment in the mesh.
+struct Subsegment {
+    segment: u32,
+    ends: [u32; 2],
+    /// Twice the distance of its middle from the segment's first end.
+    along: f64,
+}
+
+/// Every subsegment once, segment by segment, each in order from its first end to its second.
+/// The meshed side of a boundary edge is to its left.
+fn subsegments(refinement: &Refinement) -> Vec<Subsegment> {
+    let mesh = &refinement.mesh;
+    let mut found: Vec<_> = mesh
+        .constrained_edges()
+        .filter(|&edge| {
+            let behind = mesh.behind(edge);
+            behind.is_outside() || edge.triangle() < behind.triangle()
+        })
+        .filter_map(|edge| {
+            let ends = mesh.ends(edge);
+            let segment = refinement.segment_of(ends)?;
+            let along = ends.iter().map(|&v| refinement.distance_along(segment, v)).sum();
+            Some(Subsegment { segment, ends, along })
+        })
+        .collect();
+    found.sort_by(|a, b| a.segment.cmp(&b.segment).then(a.along.total_cmp(&b.along)));
+    found
+}
+
+fn region_tags(refinement: &Refinement, domain: &Domain) -> Vec<Tag> {
+    let tag = |region: u32| match region {
+        0 => 0,
+        region => domain.regions[region as usize - 1].tag,
+    };
+    let mut tags: Vec<_> = refinement.mesh.regions.iter().map(|&region| tag(region)).collect();
+    tags.resize(refinement.mesh.triangles.len(), 0);
+    tags
+}
+
+/// The outline's markers; a point that splits a segment inherits the segment's tag.
+fn markers(
+    refinement: &Refinement,
+    order: &[u32],
+    domain_points: &[u32],
+    domain: &Domain,
+    pslg: &Pslg,
+) -> Vec<Tag> {
+    if pslg.point_markers.is_empty() && domain.segment_tags.iter().all(|&tag| tag == 0) {
+        return Vec::new();
+    }
+    let marker = |v: u32| {
+        if let Some(point) = refinement.provenances.segment_point(v) {
+            return domain.segment_tags[point.segment as usize];
+        }
+        let input = domain_points.get(v as usize).map(|&point| domain.input_points[point as usize]);
+        let given = input.and_then(|input| pslg.point_markers.get(input as usize));
+        given.copied().unwrap_or(0)
+    };
+    order.iter().map(|&v| marker(v)).collect()
+}

@@ -1,0 +1,156 @@
+//! (Conformality) of §3: a subsegment that a committed point encroaches is split.
+//!
+//! Every subsegment is an edge of the constrained triangulation, so only its apexes need be
+//! asked; a point that encroaches it unseen is behind another subsegment, or behind an apex that
+//! encroaches it too.
+
+use std::ops::ControlFlow;
+
+use super::{Flow, Refinement, Watch};
+use crate::constructions::point_on_segment;
+use crate::predicates::{Relative, encroaches};
+use crate::triangulation::Edge;
+
+impl Refinement<'_> {
+    /// Queues every subsegment that an apex of its encroaches.
+    pub(super) fn find_encroached_subsegments(&mut self) {
+        let edges: Vec<Edge> = self.mesh.constrained_edges().collect();
+        for edge in edges {
+            self.queue_if_encroached(edge);
+        }
+    }
+
+    /// Splits until no subsegment is encroached, or what is left is refused.
+    pub(super) fn restore_conformality(&mut self, watch: &mut Watch) -> Flow {
+        self.tell_progress(watch)?;
+        while let Some(ends) = self.pending.pop_front() {
+            self.leave_room()?;
+            self.split(ends);
+            self.tell_progress(watch)?;
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn queue_if_encroached(&mut self, edge: Edge) {
+        let apex = self.mesh.apex(edge);
+        let ends = self.mesh.ends(edge);
+        if self.is_encroached(ends, apex) {
+            self.pending.push_back(ends);
+        }
+    }
+
+    /// Whether the committed vertex `p` encroaches the subsegment between `ends`.
+    fn is_encroached(&self, ends: [u32; 2], p: u32) -> bool {
+        let corners = ends.map(|v| self.mesh.points[v as usize]);
+        let point = self.mesh.points[p as usize];
+        let seen = corners.map(|corner| Relative::of(corner, point));
+        encroaches(seen, corners, point) && !self.is_within_rounding(ends, seen, p)
+    }
+
+    /// The rule of ALGORITHM §2 for where doubles end: two points on adjoining segments, at equal
+    /// distances from x as far as rounding can tell, do not encroach upon each other's
+    /// subsegments. Without it the two legs of a tiny angle split each other down to the floor.
+    fn is_within_rounding(&self, ends: [u32; 2], seen: [Relative; 2], p: u32) -> bool {
+        let slack = 4.0 * self.precision.ulp;
+        let [a, b] = seen;
+        if a.dot(b) < -slack * (a.squared.sqrt() + b.squared.sqrt()) {
+            return false;
+        }
+        let Some(segment) = self.segment_of(ends) else {
+            return false;
+        };
+        let own;
+        let through = match self.provenances.segment_point(p) {
+            Some(point) => {
+                own = [point.segment];
+                &own[..]
+            }
+            None if self.provenances.is_input(p) => self.segments.at(p),
+            None => &[],
+        };
+        through.iter().any(|&other| {
+            let Some(shared) = self.segments.shared_end(segment, other) else {
+                return false;
+            };
+            let x = self.segments.ends[segment as usize][usize::from(shared[0])];
+            if other == segment || x == p {
+                return false;
+            }
+            let theta = self.segments.angle(segment, other, shared, &self.mesh.points).radians();
+            let distance = Relative::of(self.mesh.points[x as usize], self.mesh.points[p as usize]);
+            theta * theta * distance.squared.sqrt() < slack
+        })
+    }
+
+    /// The input segment that a subsegment is a piece of.
+    pub(crate) fn segment_of(&self, [a, b]: [u32; 2]) -> Option<u32> {
+        let splits = |v| self.provenances.segment_point(v).map(|point| point.segment);
+        splits(a).or_else(|| splits(b)).or_else(|| self.segments.between(a, b))
+    }
+
+    /// Splits a subsegment, unless it is gone or the split is refused. Queues what the new point
+    /// encroaches and which triangles it makes bad.
+    pub(super) fn split(&mut self, ends: [u32; 2]) -> bool {
+        let key = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        if self.refused.subsegments.contains(&key) {
+            return false;
+        }
+        let Some(edge) = self.mesh.subsegment(ends[0], ends[1]) else {
+            return false;
+        };
+        if !self.commit_split(edge) {
+            self.refused.subsegments.insert(key);
+            return false;
+        }
+        self.queue_encroached_by_star();
+        self.queue_bad_of_star();
+        true
+    }
+
+    fn commit_split(&mut self, edge: Edge) -> bool {
+        let piece = self.mesh.ends(edge);
+        let Some(segment) = self.segment_of(piece) else {
+            return false;
+        };
+        let splitting = self.parameters.splitting;
+        let points = &self.mesh.points;
+        let split = self.segments.split(splitting, segment, piece, points, &self.provenances);
+        let ends = self.segments.ends[segment as usize];
+        let [from, to] =
+            [split.apex, 1 - split.apex].map(|e| points[ends[usize::from(e)] as usize]);
+        let point = point_on_segment(from, to, split.distance);
+
+        let floor = self.precision.floor;
+        let too_short =
+            piece.iter().any(|&v| Relative::of(points[v as usize], point).squared < floor * floor);
+        let on_segment = |v: u32| match self.provenances.segment_point(v) {
+            Some(other) => other.segment == segment,
+            None => ends.contains(&v),
+        };
+        if too_short
+            || self.cavity.of_split_point(&self.mesh, point, edge, on_segment).is_err()
+            || self.cavity.expect_visible(&self.mesh).is_err()
+        {
+            return false;
+        }
+        self.mesh.commit(&mut self.cavity);
+        self.provenances.push_segment_point(split);
+        true
+    }
+
+    /// After a split: the subsegments around the new point that it encroaches, and its own two
+    /// halves where an apex encroaches them.
+    fn queue_encroached_by_star(&mut self) {
+        let vertex = self.mesh.points.len() as u32 - 1;
+        for i in 0..self.cavity.boundary.len() {
+            let side = self.cavity.boundary[i];
+            if side.behind.is_constrained() && self.is_encroached(side.ends, vertex) {
+                self.pending.push_back(side.ends);
+            }
+        }
+        let halves: Vec<Edge> = self.cavity.halves().collect();
+        for half in halves {
+            self.queue_if_encroached(half);
+        }
+    }
+}

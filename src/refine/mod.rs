@@ -1,0 +1,345 @@
+//! The Adaptive Delaunay Refinement Algorithm (Miller, Pav & Walkington, *When and Why Delaunay
+//! Refinement Algorithms Work*), statement by statement.
+//!
+//! | statement | where |
+//! |---|---|
+//! | (Conformality), §3 | [`conformality`] |
+//! | (Quality′), §3 | [`quality`], [`excuse`] |
+//! | splitting on concentric shells, §10 | [`shells`] |
+//! | splitting on dyadic ladders (ours) | [`ladder`] |
+//! | points, midpoints, circumcenters, §3 | [`provenance`] |
+//! | any further trigger (ours) | [`sizing`] |
+//!
+//! [`refine`] is the loop; [`Refinement`] is everything that it changes.
+
+pub mod conformality;
+pub mod excuse;
+pub mod ladder;
+pub mod piece;
+pub mod provenance;
+pub mod quality;
+pub mod queue;
+pub mod segments;
+pub mod shells;
+pub mod sizing;
+pub mod steiner;
+
+use std::collections::{BTreeSet, VecDeque};
+use std::ops::ControlFlow;
+
+use crate::parameters::{Parameters, Rule, Steiner};
+use crate::triangulation::{Cavity, Triangulation};
+use provenance::Provenances;
+use quality::Trigger;
+use queue::{Entry, Order, Queue};
+use segments::Segments;
+use sizing::Sizing;
+
+/// Bad triangles are taken tile by tile, this many triangles in the order of their slots: a tile
+/// stays in the cache.
+const TILE: usize = 10_000;
+/// Up to this many bad triangles one tile holds all: the order is the global one.
+const ONE_TILE: usize = 20_000;
+/// Progress is told after this many points.
+const PROGRESS_STEP: usize = 1 << 13;
+
+/// Everything that the refinement changes.
+#[derive(Debug)]
+pub struct Refinement<'a> {
+    /// The triangulation.
+    pub mesh: Triangulation,
+    /// How its points came to be.
+    pub provenances: Provenances,
+    /// The segments of the domain.
+    pub segments: Segments,
+    /// What was refused where doubles end.
+    pub refused: Refused,
+    parameters: &'a Parameters,
+    sizing: Sizing,
+    precision: Precision,
+    order: Order,
+    queue: Queue,
+    pending: VecDeque<[u32; 2]>,
+    cavity: Cavity,
+}
+
+/// Where doubles end (ALGORITHM §§2, 9).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Precision {
+    /// ulp(M), M the largest coordinate in magnitude.
+    pub ulp: f64,
+    /// φ = 2^12·ulp(M): no split makes a shorter piece, no Steiner point is nearer to a vertex.
+    pub floor: f64,
+}
+
+impl Precision {
+    /// The precision of coordinates up to `largest` in magnitude.
+    #[must_use]
+    pub fn at(largest: f64) -> Self {
+        let ulp = crate::constructions::ulp(largest);
+        Self { ulp, floor: 4096.0 * ulp }
+    }
+}
+
+/// What was refused at the precision floor.
+#[derive(Debug, Clone, Default)]
+pub struct Refused {
+    /// Subsegments that are not split (smaller vertex first): a refused one stays refused.
+    pub subsegments: BTreeSet<[u32; 2]>,
+    /// Bad triangles whose Steiner point was refused.
+    pub triangles: Vec<Entry>,
+}
+
+/// How far a run has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Points so far.
+    pub points: usize,
+    /// Triangles so far.
+    pub triangles: usize,
+    /// Bad triangles that wait, some of them gone already.
+    pub waiting: usize,
+}
+
+/// Why a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// Nothing is left to do.
+    Finished,
+    /// It reached [`Parameters::max_points`].
+    PointBudget,
+    /// The progress callback asked for it.
+    Cancelled,
+}
+
+/// Refines until no subsegment is encroached and every bad triangle is gone, excused or at the
+/// precision floor; or until the budget or the caller stops it. The triangulation is a complete
+/// one at any time.
+pub fn refine(
+    refinement: &mut Refinement,
+    progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> End {
+    let ended = refinement.run(progress);
+    match ended {
+        ControlFlow::Continue(()) => End::Finished,
+        ControlFlow::Break(end) => end,
+    }
+}
+
+/// Goes on, or ends early.
+type Flow = ControlFlow<End>;
+
+/// Who listens to the progress, and when it is told next.
+struct Watch<'a> {
+    tell: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
+    next: usize,
+}
+
+impl<'a> Refinement<'a> {
+    /// A refinement of `mesh` that has not begun.
+    #[must_use]
+    pub fn new(
+        mesh: Triangulation,
+        segments: Segments,
+        sizing: Sizing,
+        precision: Precision,
+        parameters: &'a Parameters,
+    ) -> Self {
+        let worst_first =
+            parameters.steiner == Steiner::Circumcenter || parameters.rule == Rule::Ruppert;
+        Self {
+            provenances: Provenances::of_inputs(mesh.points.len()),
+            mesh,
+            segments,
+            refused: Refused::default(),
+            parameters,
+            sizing,
+            precision,
+            order: if worst_first { Order::SmallestAngle } else { Order::ShortestEdge },
+            queue: Queue::default(),
+            pending: VecDeque::new(),
+            cavity: Cavity::default(),
+        }
+    }
+
+    /// The loop of §3: conformality first, always; then quality, tile by tile.
+    fn run(&mut self, tell: &mut dyn FnMut(Progress) -> ControlFlow<()>) -> Flow {
+        let mut watch = Watch { tell, next: 0 };
+        self.find_encroached_subsegments();
+        self.restore_conformality(&mut watch)?;
+        for tile in self.tiles() {
+            for slot in tile {
+                self.queue_if_bad(slot);
+            }
+            while let Some(entry) = self.queue.pop() {
+                self.improve(entry, &mut watch)?;
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Ranges of slots whose bad triangles are taken together. The slots that are made on the way
+    /// queue themselves.
+    fn tiles(&self) -> Vec<std::ops::Range<u32>> {
+        let all = self.mesh.triangles.len() as u32;
+        let bad = (0..all).filter(|&slot| self.trigger(slot).is_some()).count();
+        if bad <= ONE_TILE {
+            return std::iter::once(0..all).collect();
+        }
+        let starts = (0..all).step_by(TILE);
+        starts.map(|start| start..all.min(start + TILE as u32)).collect()
+    }
+
+    fn queue_if_bad(&mut self, slot: u32) {
+        if let Some(trigger) = self.trigger(slot) {
+            let sine = trigger.angle.sine();
+            let newest = self.mesh.triangles[slot as usize].vertices[0];
+            self.queue
+                .push(self.order.bucket(trigger.squared, sine * sine), Entry { slot, newest });
+        }
+    }
+
+    /// Why a triangle is bad, if it is: an angle below κ̂ that is not excused, or its size.
+    fn trigger(&self, slot: u32) -> Option<Trigger> {
+        let corners = self.mesh.corners(slot);
+        let vertices = self.mesh.triangles[slot as usize].vertices;
+        let kappa = self.parameters.min_angle;
+        let excused = |edge: usize, angle| self.is_excused(vertices, edge, angle);
+        quality::trigger(corners, kappa, excused).or_else(|| {
+            let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
+            self.sizing.is_too_large(corners, region).then(|| quality::by_size(corners))
+        })
+    }
+
+    /// Whether the `angle` opposite an edge is left alone, because the edge lies across a small
+    /// input angle.
+    fn is_excused(
+        &self,
+        vertices: [u32; 3],
+        edge: usize,
+        angle: crate::constructions::Angle,
+    ) -> bool {
+        if self.parameters.rule == Rule::Ruppert {
+            return false;
+        }
+        let ends = [(edge + 1) % 3, (edge + 2) % 3].map(|i| vertices[i]);
+        let [Some(a), Some(b)] = ends.map(|v| self.provenances.segment_point(v).copied()) else {
+            return false;
+        };
+        if a.segment == b.segment {
+            return false;
+        }
+        self.segments.shared_end(a.segment, b.segment).is_some_and(|shared| {
+            let theta = self.segments.angle(a.segment, b.segment, shared, &self.mesh.points);
+            let across = excuse::Across { points: [a, b], shared, theta };
+            across.excuses(self.parameters.excuse, angle)
+        })
+    }
+
+    /// (Quality′): commits the Steiner point of a bad triangle, or splits what it would encroach.
+    fn improve(&mut self, entry: Entry, watch: &mut Watch) -> Flow {
+        let still_there =
+            |mesh: &Triangulation| mesh.triangles[entry.slot as usize].vertices[0] == entry.newest;
+        if !still_there(&self.mesh) {
+            return ControlFlow::Continue(());
+        }
+        let Some(trigger) = self.trigger(entry.slot) else {
+            return ControlFlow::Continue(());
+        };
+        self.leave_room()?;
+        let corners = self.mesh.corners(entry.slot);
+        let point = steiner::point(self.parameters, corners, trigger);
+        if self.cavity.of_steiner_point(&self.mesh, point, entry.slot).is_err() {
+            self.refused.triangles.push(entry);
+            return ControlFlow::Continue(());
+        }
+        let encroached: Vec<[u32; 2]> =
+            self.cavity.encroached(&self.mesh).map(|side| side.ends).collect();
+        if encroached.is_empty() {
+            if !self.commit_steiner_point() {
+                self.refused.triangles.push(entry);
+            }
+            return ControlFlow::Continue(());
+        }
+        let mut split = false;
+        for ends in encroached {
+            split |= self.split(ends);
+        }
+        self.restore_conformality(watch)?;
+        if !split {
+            self.refused.triangles.push(entry);
+        } else if still_there(&self.mesh) {
+            self.queue_if_bad(entry.slot);
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// The distance of a vertex on a segment from the segment's first end, rounded.
+    pub(crate) fn distance_along(&self, segment: u32, vertex: u32) -> f64 {
+        let ends = self.segments.ends[segment as usize];
+        match self.provenances.segment_point(vertex) {
+            Some(point) if point.apex == 0 => point.distance,
+            found => {
+                let [a, b] = ends.map(|v| self.mesh.points[v as usize]);
+                let (length, _) = crate::constructions::segment_length(a, b);
+                match found {
+                    Some(point) => length - point.distance,
+                    None if vertex == ends[0] => 0.0,
+                    None => length,
+                }
+            }
+        }
+    }
+
+    fn commit_steiner_point(&mut self) -> bool {
+        let floor = self.precision.floor;
+        let refused = self.cavity.nearest_squared() < floor * floor
+            || self.cavity.expect_visible(&self.mesh).is_err();
+        if refused {
+            return false;
+        }
+        self.mesh.commit(&mut self.cavity);
+        self.provenances.push_steiner_point();
+        self.queue_bad_of_star();
+        true
+    }
+
+    /// Queues the bad ones of the triangles that were just made.
+    fn queue_bad_of_star(&mut self) {
+        for i in 0..self.cavity.boundary.len() {
+            let [a, b] = self.cavity.boundary[i].seen;
+            let slot = self.cavity.star[i];
+            let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
+            if quality::may_be_small(a, b, self.parameters.min_angle)
+                || self.sizing.may_be_too_large(a, b, region)
+            {
+                self.queue_if_bad(slot);
+            }
+        }
+    }
+
+    /// Ends the run where the next point would be one too many.
+    fn leave_room(&self) -> Flow {
+        if self.mesh.points.len() < self.parameters.max_points {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(End::PointBudget)
+        }
+    }
+
+    fn tell_progress(&self, watch: &mut Watch) -> Flow {
+        if self.mesh.points.len() < watch.next {
+            return ControlFlow::Continue(());
+        }
+        watch.next = self.mesh.points.len() + PROGRESS_STEP;
+        let progress = Progress {
+            points: self.mesh.points.len(),
+            triangles: self.mesh.triangles.len(),
+            waiting: self.queue.len(),
+        };
+        match (watch.tell)(progress) {
+            ControlFlow::Continue(()) => ControlFlow::Continue(()),
+            ControlFlow::Break(()) => ControlFlow::Break(End::Cancelled),
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! Which triangles are bad, and which of their angles triggers.
+
+use crate::constructions::Angle;
+use crate::parameters::MinAngle;
+use crate::predicates::Relative;
+use crate::triangulation::{next, previous};
+
+/// A quick look at the triangle of the point that `a` and `b` are seen from: whether its smallest
+/// angle may be below κ̂. Rounded, and only a filter: [`trigger`] decides.
+#[inline]
+#[must_use]
+pub fn may_be_small(a: Relative, b: Relative, kappa: MinAngle) -> bool {
+    let (cross, dot) = (a.cross(b), a.dot(b));
+    // |·||·|cos of the three angles: all have the same |·||·|sin, so the largest is the smallest
+    // angle's.
+    let largest = dot.max(a.squared - dot).max(b.squared - dot);
+    kappa.denominator * (cross * cross) <= (kappa.numerator * 1.000_000_1) * (largest * largest)
+}
+
+/// The angle for whose sake a triangle is removed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trigger {
+    /// The edge opposite the angle: 0, 1 or 2.
+    pub edge: usize,
+    /// Its squared length.
+    pub squared: f64,
+    /// The angle.
+    pub angle: Angle,
+}
+
+/// The smallest angle of a counter-clockwise triangle that is below κ̂ and not excused: `excused`
+/// is asked with the edge opposite an angle.
+///
+/// All three angles are looked at: a triangle is left alone only if every small one is excused.
+#[must_use]
+pub fn trigger(
+    corners: [[f64; 2]; 3],
+    kappa: MinAngle,
+    mut excused: impl FnMut(usize, Angle) -> bool,
+) -> Option<Trigger> {
+    // The largest angle is at least 60°: it is never small.
+    edges_by_length(corners)[..2].iter().find_map(|&(edge, squared)| {
+        let angle = Angle::at(corners[edge], corners[next(edge)], corners[previous(edge)]);
+        let bad = angle.is_below(kappa) && !excused(edge, angle);
+        bad.then_some(Trigger { edge, squared, angle })
+    })
+}
+
+/// The trigger of a triangle that is only too large: its smallest angle.
+#[must_use]
+pub fn by_size(corners: [[f64; 2]; 3]) -> Trigger {
+    let (edge, squared) = edges_by_length(corners)[0];
+    let angle = Angle::at(corners[edge], corners[next(edge)], corners[previous(edge)]);
+    Trigger { edge, squared, angle }
+}
+
+/// The edges of a triangle with their squared lengths, the shortest first.
+fn edges_by_length(corners: [[f64; 2]; 3]) -> [(usize, f64); 3] {
+    let mut edges = [0, 1, 2].map(|edge| {
+        let [a, b] = [corners[next(edge)], corners[previous(edge)]];
+        (edge, Relative::of(a, b).squared)
+    });
+    edges.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+    edges
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NEEDLE: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.1]];
+    const FLAT: [[f64; 2]; 3] = [[0.0, 0.0], [2.0, 0.0], [0.9, 0.1]];
+
+    #[test]
+    fn the_smallest_angle_triggers() {
+        let found = trigger(NEEDLE, MinAngle::default(), |_, _| false).map(|t| t.edge);
+        assert_eq!(found, Some(0));
+    }
+
+    #[test]
+    fn a_needle_with_its_angle_excused_is_left_alone() {
+        assert_eq!(trigger(NEEDLE, MinAngle::default(), |edge, _| edge == 0), None);
+    }
+
+    #[test]
+    fn the_second_angle_of_a_flat_triangle_triggers_when_the_first_is_excused() {
+        let smallest = trigger(FLAT, MinAngle::default(), |_, _| false).map(|t| t.edge);
+        let second = trigger(FLAT, MinAngle::default(), |edge, _| Some(edge) == smallest);
+        assert_eq!((smallest, second.map(|t| t.edge)), (Some(1), Some(0)));
+    }
+
+    #[test]
+    fn the_quick_look_misses_no_bad_triangle() {
+        for corners in [NEEDLE, FLAT] {
+            for i in 0..3 {
+                let [p, a, b] = [corners[i], corners[next(i)], corners[previous(i)]];
+                let quick =
+                    may_be_small(Relative::of(a, p), Relative::of(b, p), MinAngle::default());
+                assert!(quick);
+            }
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! Where the Steiner point of a bad triangle goes (ALGORITHM §5).
+
+use super::quality::Trigger;
+use crate::constructions::on_bisector;
+use crate::parameters::{MinAngle, Parameters, Steiner};
+use crate::triangulation::{next, previous};
+
+/// The point that removes a triangle: rounded to the coordinates of the output, and only then
+/// tested and committed.
+#[must_use]
+pub fn point(parameters: &Parameters, corners: [[f64; 2]; 3], trigger: Trigger) -> [f64; 2] {
+    let [a, b] = [corners[next(trigger.edge)], corners[previous(trigger.edge)]];
+    // The circumcenter sees ab under twice the angle opposite.
+    let circumcenter = trigger.angle.dot / (2.0 * trigger.angle.cross);
+    let by_angle = trigger.angle.is_below(parameters.min_angle);
+    let height = match parameters.steiner {
+        Steiner::OffCenter if by_angle => circumcenter.min(off_center(parameters.min_angle)),
+        _ => circumcenter,
+    };
+    on_bisector(a, b, height)
+}
+
+/// λ = 0.475·cot(κ̂/2): the height of Üngör's off-center over the trigger edge, in its lengths.
+/// There the new triangle's angle opposite is a little above κ̂.
+fn off_center(kappa: MinAngle) -> f64 {
+    let tangent = (kappa.numerator / kappa.denominator).sqrt();
+    let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();
+    let sine = tangent * cosine;
+    0.475 * (1.0 + cosine) / sine
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::quality::trigger;
+    use super::*;
+
+    const THIN: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.5, 8.0]];
+
+    fn steiner_point(steiner: Steiner) -> [f64; 2] {
+        let parameters = Parameters { steiner, ..Parameters::default() };
+        let bad = trigger(THIN, parameters.min_angle, |_, _| false).expect("it is thin");
+        point(&parameters, THIN, bad)
+    }
+
+    #[test]
+    fn the_circumcenter_is_equally_far_from_all_corners() {
+        let [x, y] = steiner_point(Steiner::Circumcenter);
+        assert_eq!(x, 0.5);
+        assert!(((0.25 + y * y).sqrt() - (8.0 - y)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_off_center_of_a_thin_triangle_is_two_edges_above_its_edge() {
+        let [x, y] = steiner_point(Steiner::OffCenter);
+        assert_eq!(x, 0.5);
+        assert!((y - 2.0213).abs() < 1e-4, "{y}");
+    }
+}

@@ -1,0 +1,125 @@
+//! From an outline to a mesh: the whole way through.
+
+use std::fmt;
+use std::ops::ControlFlow;
+
+use crate::assemble::assemble;
+use crate::carve::carve;
+use crate::certify::{Certificate, Promise, certify};
+use crate::domain::{self, Domain};
+use crate::refine::segments::Segments;
+use crate::refine::sizing::Sizing;
+use crate::refine::{End, Precision, Progress, Refinement, refine};
+use crate::triangulation::initial::{self, triangulate};
+use crate::{Mesh, Parameters, Pslg};
+
+/// What a run makes.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Outcome {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// What the judge, who shares no code with the refinement, found.
+    pub certificate: Certificate,
+    /// What was done to the outline, or is worth knowing about it.
+    pub warnings: Vec<Warning>,
+    /// Why the run ended: a mesh that was stopped early keeps no promise about its angles.
+    pub end: End,
+    /// How many subsegments and triangles were left as they are at the precision floor.
+    pub refused: usize,
+}
+
+/// Why there is no mesh.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The outline is no PSLG, or encloses nothing.
+    #[error(transparent)]
+    Domain(#[from] domain::Error),
+    /// The kernel cannot hold the outline.
+    #[error(transparent)]
+    Triangulation(#[from] initial::Error),
+    /// The progress callback asked to stop.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+/// Something that is worth knowing about a run, though it made a mesh.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum Warning {
+    /// About the outline.
+    Domain(domain::Warning),
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Domain(warning) => warning.fmt(f),
+        }
+    }
+}
+
+/// Meshes an outline.
+///
+/// ```
+/// use meshwright::{Parameters, Pslg};
+/// let square = Pslg {
+///     points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+///     segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]],
+///     segment_tags: vec![7; 4],
+///     ..Pslg::default()
+/// };
+/// let parameters = Parameters { max_area: Some(0.01), ..Parameters::default() };
+/// let outcome = meshwright::mesh(&square, &parameters)?;
+/// assert!(outcome.mesh.triangles.len() >= 100);
+/// # Ok::<(), meshwright::Error>(())
+/// ```
+///
+/// # Errors
+/// See [`Error`].
+pub fn mesh(pslg: &Pslg, parameters: &Parameters) -> Result<Outcome, Error> {
+    mesh_with(pslg, parameters, &mut |_| ControlFlow::Continue(()))
+}
+
+/// [`mesh`], telling its progress now and then; the callback may stop it.
+///
+/// # Errors
+/// See [`Error`].
+pub fn mesh_with(
+    pslg: &Pslg,
+    parameters: &Parameters,
+    progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Outcome, Error> {
+    let (domain, warnings) = Domain::new(pslg, parameters.region)?;
+    let mut initial = triangulate(&domain)?;
+    let domain_points = std::mem::take(&mut initial.domain_points);
+    let precision = Precision::at(largest_coordinate(&initial.points));
+    let segments = Segments::of(&domain, &domain_points, precision.floor);
+    let sizing = sizing(parameters, &domain);
+    let carved = carve(initial, &domain);
+
+    let mut refinement = Refinement::new(carved, segments, sizing, precision, parameters);
+    let end = refine(&mut refinement, progress);
+    if end == End::Cancelled {
+        return Err(Error::Cancelled);
+    }
+    let mesh = assemble(&refinement, &domain_points, &domain, pslg);
+    Ok(Outcome {
+        certificate: certify(pslg, &mesh, &Promise::from(parameters)),
+        mesh,
+        warnings: warnings.into_iter().map(Warning::Domain).collect(),
+        end,
+        refused: refinement.refused.subsegments.len() + refinement.refused.triangles.len(),
+    })
+}
+
+fn sizing(parameters: &Parameters, domain: &Domain) -> Sizing {
+    let max_area = parameters.max_area.map(|a| libm::scalbn(a, -2 * domain.scale_exponent));
+    let of_regions: Vec<_> = domain.regions.iter().map(|region| region.max_area).collect();
+    Sizing::new(max_area, &of_regions)
+}
+
+fn largest_coordinate(points: &[[f64; 2]]) -> f64 {
+    points.iter().flatten().fold(0.0, |largest: f64, c| largest.max(c.abs()))
+}

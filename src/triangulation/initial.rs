@@ -1,0 +1,214 @@
+//! The initial constrained triangulation: the only door to `spade`.
+
+use spade::{
+    ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation as _,
+};
+
+use super::{Edge, Triangle};
+use crate::domain::Domain;
+use crate::predicates::{Side, side};
+
+/// The constrained Delaunay triangulation of a whole domain's convex hull, before carving.
+#[derive(Debug)]
+pub struct Initial {
+    /// The domain's points along a Hilbert curve.
+    pub points: Vec<[f64; 2]>,
+    /// For each of them, its index in the domain.
+    pub domain_points: Vec<u32>,
+    /// All triangles, in the order of their first vertices.
+    pub triangles: Vec<Triangle>,
+    /// The triangles at an edge of the convex hull that is no segment.
+    pub open: Vec<u32>,
+    /// The triangle that holds each hole seed; `None` for one outside the hull.
+    pub holes: Vec<Option<u32>>,
+    /// The triangle that holds each region seed; `None` for one outside the hull.
+    pub regions: Vec<Option<u32>>,
+}
+
+/// Why there is no initial triangulation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum Error {
+    /// More points than 32-bit indices, less the three bits of an edge, can tell apart.
+    #[error("the outline has too many points: 2^27 are possible")]
+    TooManyPoints,
+    /// The coordinates of the outline differ so much in magnitude that no triangle can be told
+    /// from a line.
+    #[error(
+        "the coordinates differ too much in magnitude to be told apart; move the outline to the \
+         origin, or leave out the details"
+    )]
+    Range,
+}
+
+type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
+
+/// Triangulates the convex hull of the domain, with every segment an edge.
+///
+/// # Errors
+/// See [`Error`].
+pub fn triangulate(domain: &Domain) -> Result<Initial, Error> {
+    if domain.points.len() >= 1 << 27 {
+        return Err(Error::TooManyPoints);
+    }
+    let domain_points = along_hilbert_curve(&domain.points);
+    let points: Vec<_> = domain_points.iter().map(|&i| domain.points[i as usize]).collect();
+    let cdt = load(&points, &constraints(domain, &domain_points))?;
+    let (triangles, slots) = triangles_of(&cdt);
+    if triangles.iter().any(|t| !counter_clockwise(t, &points)) {
+        return Err(Error::Range);
+    }
+    let slot_at = |seed: [f64; 2]| locate(&cdt, seed).map(|face| slots[face]);
+    Ok(Initial {
+        open: open_to_the_outside(&cdt).map(|face| slots[face]).collect(),
+        holes: domain.holes.iter().map(|&seed| slot_at(seed)).collect(),
+        regions: domain.regions.iter().map(|region| slot_at(region.seed)).collect(),
+        points,
+        domain_points,
+        triangles,
+    })
+}
+
+/// The segments by the new numbers of their points.
+fn constraints(domain: &Domain, domain_points: &[u32]) -> Vec<[usize; 2]> {
+    let mut place = vec![0; domain_points.len()];
+    for (new, &old) in domain_points.iter().enumerate() {
+        place[old as usize] = new;
+    }
+    domain.segments.iter().map(|ends| ends.map(|v| place[v as usize])).collect()
+}
+
+fn load(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Cdt, Error> {
+    let vertices = points.iter().map(|&point| position(point)).collect();
+    let mut conflicts = 0;
+    let cdt = Cdt::try_bulk_load_cdt(vertices, segments.to_vec(), |_| conflicts += 1)
+        .map_err(|_| Error::Range)?;
+    let whole = conflicts == 0 && cdt.num_vertices() == points.len();
+    if whole { Ok(cdt) } else { Err(Error::Range) }
+}
+
+/// `spade` takes no coordinate below 2^-142; in a domain whose largest is above 2^-100 those are
+/// zero for every purpose but an exact predicate's, which [`triangulate`] asks afterwards.
+fn position([x, y]: [f64; 2]) -> Point2<f64> {
+    let snap = |c: f64| if c.abs() < spade::MIN_ALLOWED_VALUE { 0.0 } else { c };
+    Point2::new(snap(x), snap(y))
+}
+
+/// The inner faces as linked triangles in the order of their smallest vertex, for locality; and
+/// the slot of each face.
+fn triangles_of(cdt: &Cdt) -> (Vec<Triangle>, Vec<u32>) {
+    let mut order: Vec<(u32, u32)> = cdt
+        .inner_faces()
+        .map(|face| {
+            let smallest = face.vertices().iter().map(|v| v.index()).min().unwrap_or(0);
+            (smallest as u32, face.index() as u32)
+        })
+        .collect();
+    order.sort_unstable();
+    let mut slots = vec![u32::MAX; cdt.num_all_faces()];
+    for (slot, &(_, face)) in order.iter().enumerate() {
+        slots[face as usize] = slot as u32;
+    }
+
+    let mut triangles = vec![None; order.len()];
+    for face in cdt.inner_faces() {
+        let edges = face.adjacent_edges();
+        // Vertex i starts edge i of spade's, which is opposite our vertex i + 2.
+        let vertices = edges.map(|edge| edge.from().index() as u32);
+        let neighbors = [1, 2, 0].map(|i| {
+            let twin = edges[i].rev();
+            let Some(inner) = twin.face().as_inner() else {
+                return Edge::OUTSIDE;
+            };
+            let own = inner.adjacent_edges().map(|edge| edge.fix());
+            let place = own.iter().position(|&edge| edge == twin.fix()).unwrap_or(0);
+            Edge::new(slots[inner.index()], super::previous(place))
+                .constrained_if(twin.is_constraint_edge())
+        });
+        triangles[slots[face.index()] as usize] = Some(Triangle { vertices, neighbors });
+    }
+    (triangles.into_iter().flatten().collect(), slots)
+}
+
+/// The inner faces at an edge of the hull that is no segment.
+fn open_to_the_outside(cdt: &Cdt) -> impl Iterator<Item = usize> + '_ {
+    let open = cdt.convex_hull().filter(|edge| !edge.is_constraint_edge());
+    open.filter_map(|edge| edge.rev().face().as_inner().map(|face| face.index()))
+}
+
+fn counter_clockwise(triangle: &Triangle, points: &[[f64; 2]]) -> bool {
+    let [a, b, c] = triangle.vertices.map(|v| points[v as usize]);
+    side(a, b, c) == Side::Left
+}
+
+/// The face that holds a seed; for one on an edge, either face there.
+fn locate(cdt: &Cdt, seed: [f64; 2]) -> Option<usize> {
+    let face = match cdt.locate(position(seed)) {
+        PositionInTriangulation::OnFace(face) => Some(cdt.face(face)),
+        PositionInTriangulation::OnEdge(edge) => {
+            let edge = cdt.directed_edge(edge);
+            [edge.face(), edge.rev().face()].into_iter().find_map(|face| face.as_inner())
+        }
+        PositionInTriangulation::OnVertex(vertex) => {
+            let mut around = cdt.vertex(vertex).out_edges();
+            around.find_map(|edge| edge.face().as_inner())
+        }
+        PositionInTriangulation::OutsideOfConvexHull(_)
+        | PositionInTriangulation::NoTriangulation => None,
+    };
+    face.map(|face| face.index())
+}
+
+/// The indices of the points in their order along a Hilbert curve through their bounding square,
+/// 2^16 cells a side. Scaling by a power of two changes nothing.
+fn along_hilbert_curve(points: &[[f64; 2]]) -> Vec<u32> {
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    for point in points {
+        for i in 0..2 {
+            low[i] = low[i].min(point[i]);
+            high[i] = high[i].max(point[i]);
+        }
+    }
+    let width = (high[0] - low[0]).max(high[1] - low[1]);
+    let cell = |c: f64, i: usize| ((c - low[i]) / width * 65535.0) as u32;
+    let mut keyed: Vec<(u32, u32)> = points
+        .iter()
+        .enumerate()
+        .map(|(index, &[x, y])| (hilbert_index(cell(x, 0), cell(y, 1)), index as u32))
+        .collect();
+    keyed.sort_unstable();
+    keyed.into_iter().map(|(_, index)| index).collect()
+}
+
+/// The place along the Hilbert curve of cell (x, y) of a grid of 2^16 by 2^16 cells.
+fn hilbert_index(mut x: u32, mut y: u32) -> u32 {
+    let mut index = 0;
+    for level in (0..16).rev() {
+        let (right, up) = (x >> level & 1, y >> level & 1);
+        index = index << 2 | ((3 * right) ^ up);
+        if up == 0 {
+            if right == 1 {
+                (x, y) = (!x, !y);
+            }
+            (x, y) = (y, x);
+        }
+    }
+    index
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbours_along_the_hilbert_curve_share_a_side() {
+        let mut cells: Vec<_> = (0..64)
+            .flat_map(|x| (0..64).map(move |y| (hilbert_index(x << 10, y << 10), x, y)))
+            .collect();
+        cells.sort_unstable();
+        for pair in cells.windows(2) {
+            let ((_, x, y), (_, u, v)) = (pair[0], pair[1]);
+            assert_eq!(u32::abs_diff(x, u) + u32::abs_diff(y, v), 1, "{pair:?}");
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! The mesh kernel: a constrained Delaunay triangulation that grows point by point.
+//!
+//! Laid out for speed: 24 bytes a triangle, slots reused in place, no allocation per triangle.
+//! [`cavity`] finds what a new point replaces, [`Triangulation::commit`] is the one place that
+//! changes the mesh, [`initial`] makes the first triangulation.
+
+pub mod cavity;
+pub mod initial;
+mod subsegments;
+
+pub use cavity::{Cavity, Rejected};
+use subsegments::Anchors;
+
+/// A triangle's edge, with whether it may be crossed:
+/// `triangle << 3 | constrained << 2 | edge`; edge `i` is opposite vertex `i`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Edge(u32);
+
+impl Edge {
+    /// What lies beyond an edge with no triangle behind it: all ones, so it counts as constrained.
+    pub const OUTSIDE: Self = Self(u32::MAX);
+
+    /// The edge opposite vertex `edge` of the triangle in slot `triangle`, free to be crossed.
+    #[inline]
+    #[must_use]
+    pub fn new(triangle: u32, edge: usize) -> Self {
+        Self(triangle << 3 | edge as u32)
+    }
+
+    /// The same edge with its constraint set or not.
+    #[inline]
+    #[must_use]
+    pub fn constrained_if(self, constrained: bool) -> Self {
+        Self(self.0 & !4 | u32::from(constrained) << 2)
+    }
+
+    /// Whether the edge is a subsegment, or has nothing behind it.
+    #[inline]
+    #[must_use]
+    pub fn is_constrained(self) -> bool {
+        self.0 & 4 != 0
+    }
+
+    /// Whether there is no triangle.
+    #[inline]
+    #[must_use]
+    pub fn is_outside(self) -> bool {
+        self == Self::OUTSIDE
+    }
+
+    /// The slot of the triangle.
+    #[inline]
+    #[must_use]
+    pub fn triangle(self) -> u32 {
+        self.0 >> 3
+    }
+
+    /// Which edge of the triangle: 0, 1 or 2.
+    #[inline]
+    #[must_use]
+    pub fn index(self) -> usize {
+        (self.0 & 3) as usize
+    }
+}
+
+/// The next of three.
+#[inline]
+#[must_use]
+pub const fn next(i: usize) -> usize {
+    if i == 2 { 0 } else { i + 1 }
+}
+
+/// The previous of three.
+#[inline]
+#[must_use]
+pub const fn previous(i: usize) -> usize {
+    if i == 0 { 2 } else { i - 1 }
+}
+
+/// A triangle: its vertices counter-clockwise, and what is behind the edge opposite each.
+/// Vertex 0 of a triangle made by a committed point is that point, so that a stale reference to a
+/// reused slot shows by itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Triangle {
+    /// Vertices, counter-clockwise.
+    pub vertices: [u32; 3],
+    /// The neighbour's own edge behind each edge; the constraint bit is that of the shared edge.
+    pub neighbors: [Edge; 3],
+}
+
+/// A constrained Delaunay triangulation of a region: each interior edge that is no subsegment is
+/// locally Delaunay, exactly.
+#[derive(Debug, Clone, Default)]
+pub struct Triangulation {
+    /// Vertices; those of the domain come first, along a Hilbert curve.
+    pub points: Vec<[f64; 2]>,
+    /// All triangles; there is no free slot.
+    pub triangles: Vec<Triangle>,
+    /// The region of each triangle (0: none); empty where there is no region.
+    pub regions: Vec<u32>,
+    anchors: Anchors,
+}
+
+impl Triangulation {
+    /// A triangulation of `points` by triangles that are linked already.
+    #[must_use]
+    pub fn new(points: Vec<[f64; 2]>, triangles: Vec<Triangle>, regions: Vec<u32>) -> Self {
+        let mut made = Self { points, triangles, regions, anchors: Anchors::default() };
+        made.anchors = Anchors::of(&made);
+        made
+    }
+
+    /// The coordinates of a triangle's vertices.
+    #[inline]
+    #[must_use]
+    pub fn corners(&self, triangle: u32) -> [[f64; 2]; 3] {
+        self.triangles[triangle as usize].vertices.map(|v| self.points[v as usize])
+    }
+
+    /// The end points of an edge, with its triangle to the left.
+    #[inline]
+    #[must_use]
+    pub fn ends(&self, edge: Edge) -> [u32; 2] {
+        let vertices = self.triangles[edge.triangle() as usize].vertices;
+        [vertices[next(edge.index())], vertices[previous(edge.index())]]
+    }
+
+    /// What is behind an edge: the same edge in the neighbour.
+    #[inline]
+    #[must_use]
+    pub fn behind(&self, edge: Edge) -> Edge {
+        self.triangles[edge.triangle() as usize].neighbors[edge.index()]
+    }
+
+    /// The vertex opposite an edge.
+    #[inline]
+    #[must_use]
+    pub fn apex(&self, edge: Edge) -> u32 {
+        self.triangles[edge.triangle() as usize].vertices[edge.index()]
+    }
+
+    /// Every constrained edge, once for each triangle that has it, by slots.
+    pub fn constrained_edges(&self) -> impl Iterator<Item = Edge> + '_ {
+        self.triangles.iter().enumerate().flat_map(|(slot, triangle)| {
+            (0..3)
+                .filter(|&i| triangle.neighbors[i].is_constrained())
+                .map(move |i| Edge::new(slot as u32, i).constrained_if(true))
+        })
+    }
+
+    /// Puts the new point of `cavity` in and returns its index. The new triangles are
+    /// [`Cavity::star`], in the order of [`Cavity::boundary`].
+    ///
+    /// k triangles die and at most k + 2 are born: they take the slots of the dead, then new ones.
+    pub fn commit(&mut self, cavity: &mut Cavity) -> u32 {
+        let vertex = self.points.len() as u32;
+        self.points.push(cavity.point);
+        self.claim_slots(cavity);
+        self.link_star(vertex, cavity);
+        self.anchors.renew(vertex, cavity);
+        vertex
+    }
+
+    /// Makes `cavity.star` the slots of the new triangles, one for each edge of its boundary.
+    fn claim_slots(&mut self, cavity: &mut Cavity) {
+        let born = cavity.boundary.len();
+        let mut count = self.triangles.len() as u32;
+        while cavity.star.len() < born {
+            cavity.star.push(count);
+            count += 1;
+        }
+        let unused = Triangle { vertices: [0; 3], neighbors: [Edge::OUTSIDE; 3] };
+        self.triangles.resize(count as usize, unused);
+        if !self.regions.is_empty() {
+            self.regions.resize(count as usize, 0);
+        }
+    }
+
+    /// Joins every boundary edge to the new vertex. The boundary runs counter-clockwise, so a
+    /// triangle's neighbours in the star are the ones before and after it; where a subsegment was
+    /// split its halves are the constrained edges at the joints of the two sides.
+    fn link_star(&mut self, vertex: u32, cavity: &Cavity) {
+        let (star, last) = (&cavity.star, cavity.star.len() - 1);
+        for (i, side) in cavity.boundary.iter().enumerate() {
+            let slot = star[i];
+            let after = Edge::new(star[if i == last { 0 } else { i + 1 }], 2);
+            let before = Edge::new(star[if i == 0 { last } else { i - 1 }], 1);
+            let neighbors = [
+                side.behind,
+                cavity.joint_before(i + 1).map_or(after, |joint| joint.link(after)),
+                cavity.joint_before(i).map_or(before, |joint| joint.link(before)),
+            ];
+            let [a, b] = side.ends;
+            self.triangles[slot as usize] = Triangle { vertices: [vertex, a, b], neighbors };
+            if !side.behind.is_outside() {
+                self.triangles[side.behind.triangle() as usize].neighbors[side.behind.index()] =
+                    Edge::new(slot, 0).constrained_if(side.behind.is_constrained());
+            }
+            if !self.regions.is_empty() {
+                self.regions[slot as usize] = cavity.region(i);
+            }
+        }
+    }
+}
