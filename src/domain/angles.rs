@@ -16,6 +16,8 @@ pub struct Angle {
     pub apex: u32,
     /// The segments, the second counter-clockwise of the first.
     pub segments: [u32; 2],
+    /// Whether what lies between the segments is meshed.
+    pub is_meshed: bool,
 }
 
 impl Domain {
@@ -24,6 +26,13 @@ impl Domain {
     #[must_use]
     pub fn smallest_angle(&self) -> Option<Angle> {
         self.angles().reduce(|least, next| if next.radians < least.radians { next } else { least })
+    }
+
+    /// The smallest angle that is meshed, as [`smallest_angle`](Domain::smallest_angle) is of all.
+    #[must_use]
+    pub fn smallest_meshed_angle(&self) -> Option<Angle> {
+        let meshed = self.angles().filter(|angle| angle.is_meshed);
+        meshed.reduce(|least, next| if next.radians < least.radians { next } else { least })
     }
 
     /// The angles below a bound in radians, from the smallest up.
@@ -60,6 +69,9 @@ impl Domain {
             Side::On => std::f64::consts::PI,
             Side::Left => libm::atan2(u.cross(v).max(f64::MIN_POSITIVE), u.dot(v)),
         };
-        Some(Angle { radians, apex, segments })
+        // The wedge lies to the left of the first segment as it leaves the apex.
+        let [left, right] = self.faces.sides(segments[0]);
+        let face = if self.segments[segments[0] as usize][0] == apex { left } else { right };
+        Some(Angle { radians, apex, segments, is_meshed: self.faces.is_meshed(face) })
     }
 }

@@ -65,7 +65,10 @@ pub enum Error {
         open_ends: OpenEnds,
     },
     /// The holes take everything out.
-    #[error("the holes leave nothing to mesh{}{open_ends}", Quoted(&holes.iter().take(IN_FULL).collect::<Vec<_>>()))]
+    #[error(
+        "the holes leave nothing to mesh{open_ends}{}",
+        Quoted(&holes.iter().take(IN_FULL).collect::<Vec<_>>())
+    )]
     HolesLeaveNothing {
         /// The holes.
         holes: Vec<Item>,
@@ -182,6 +185,26 @@ pub enum Warning {
         /// The points, or the segments.
         first: Vec<Item>,
     },
+    /// Doubles are too coarse for the angles at some points (§9).
+    LimitedByPrecision {
+        /// How many points.
+        count: usize,
+        /// The points.
+        first: Vec<LimitedApex>,
+    },
+}
+
+/// A point near which doubles are too coarse for its smallest angle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LimitedApex {
+    /// The point.
+    pub point: Item,
+    /// The segments of its smallest angle; `None` is an edge of the convex hull.
+    pub segments: [Option<Item>; 2],
+    /// The angle.
+    pub radians: f64,
+    /// Nearer than this (in the units of the outline) no angle is promised.
+    pub reach: f64,
 }
 
 impl fmt::Display for Warning {
@@ -227,6 +250,22 @@ impl fmt::Display for Warning {
                 for [kept, ignored] in first {
                     write!(f, "\n  {ignored} is {kept} again")?;
                     ignored.quote(f)?;
+                }
+                more(f, *count, first.len(), false)
+            }
+            Self::LimitedByPrecision { count, first } => {
+                write!(f, "{} limited by precision", count_of(*count, "small angle"))?;
+                for LimitedApex { point, segments, radians, reach } in first {
+                    let degrees = significant(radians.to_degrees());
+                    let name = |segment: &Option<Item>| match segment {
+                        Some(item) => item.to_string(),
+                        None => "the convex hull".to_owned(),
+                    };
+                    let [a, b] = segments.each_ref().map(name);
+                    let reach = significant(*reach);
+                    write!(f, "\n  {point}: {degrees}° between {a} and {b}: ")?;
+                    write!(f, "nearer than {reach} no angle is promised")?;
+                    point.quote(f)?;
                 }
                 more(f, *count, first.len(), false)
             }

@@ -12,6 +12,7 @@ mod hull;
 mod item;
 mod merge;
 mod meshed;
+mod precision;
 mod range;
 mod status;
 mod sweep;
@@ -23,8 +24,9 @@ use std::cmp::Ordering;
 pub use angles::Angle;
 pub use closest::{ClosestPair, Feature};
 pub use conflicts::{Conflict, ConflictKind, Conflicts};
-pub use error::{Error, Item, Kind, OpenEnd, OpenEnds, Warning};
+pub use error::{Error, Item, Kind, LimitedApex, OpenEnd, OpenEnds, Warning};
 pub use faces::{Faces, OUTSIDE};
+pub use precision::PrecisionLimit;
 
 use crate::{Pslg, Region};
 use conflicts::Dirty;
@@ -60,6 +62,9 @@ pub struct Domain {
     /// Input coordinates = these coordinates × 2^`scale_exponent`; 0 unless the outline's
     /// largest coordinate has an exponent outside ±100.
     pub scale_exponent: i32,
+    /// ulp(M): the distance between doubles at M, the largest coordinate of what is meshed in
+    /// magnitude; scaled.
+    pub ulp: f64,
     /// Whether the whole convex hull is meshed: asked for, or there is no segment at all.
     pub hull: bool,
     /// For each point, the segments that end there, counter-clockwise from straight down: those
@@ -159,6 +164,7 @@ impl Domain {
             }
         });
         let regions = regions.collect();
+        let ulp = precision::ulp(&points, &meshed_points);
         let domain = Self {
             points,
             input_points,
@@ -170,11 +176,29 @@ impl Domain {
             holes,
             regions,
             scale_exponent,
+            ulp,
             hull,
             adjoining_start,
             adjoining,
         };
+        warnings.extend(domain.preflight(pslg));
         Ok((domain, warnings))
+    }
+
+    /// The warning that names the apexes at which doubles are too coarse, if there are any.
+    fn preflight(&self, pslg: &Pslg) -> Option<Warning> {
+        let limits = self.precision_limits();
+        let named = |limit: &PrecisionLimit| LimitedApex {
+            point: Item::new(pslg, Kind::Point, self.input_points[limit.angle.apex as usize]),
+            segments: limit.angle.segments.map(|segment| {
+                let input = self.input_segments[segment as usize];
+                (input != u32::MAX).then(|| Item::new(pslg, Kind::Segment, input))
+            }),
+            radians: limit.angle.radians,
+            reach: limit.reach,
+        };
+        let first = limits.iter().take(conflicts::IN_FULL).map(named).collect();
+        (!limits.is_empty()).then_some(Warning::LimitedByPrecision { count: limits.len(), first })
     }
 
     /// The area of what is meshed, in the squared units of the outline (infinite where that is

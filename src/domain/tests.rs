@@ -67,3 +67,293 @@ proptest! {
         }
     }
 }
+
+/// An outline as if read from a one-based `.poly` file, its points on lines 2, 3, …
+fn file(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
+    let mut pslg = outline(points, segments);
+    pslg.source.file = "site.poly".to_owned();
+    pslg.source.first_number = 1;
+    let first = points.len() as u32 + 3;
+    pslg.source.point_lines = (2..first - 1).collect();
+    pslg.source.segment_lines = (first..).take(segments.len()).collect();
+    pslg.source.hole_lines = vec![100];
+    pslg.source.region_lines = vec![200, 201];
+    pslg
+}
+
+fn message(pslg: &Pslg) -> String {
+    Domain::new(pslg, Region::Domain).expect_err("the outline is wrong").to_string()
+}
+
+fn warnings(pslg: &Pslg) -> Vec<String> {
+    let (_, warnings) = Domain::new(pslg, Region::Domain).expect("the outline is right");
+    warnings.iter().map(ToString::to_string).collect()
+}
+
+const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+const LOOP: [[u32; 2]; 4] = [[0, 1], [1, 2], [2, 3], [3, 0]];
+
+/// The square with more points and segments.
+fn square_and(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
+    file(&[&SQUARE, points].concat(), &[&LOOP, segments].concat())
+}
+
+#[test]
+fn crossing_segments_are_both_named() {
+    assert_eq!(
+        message(&square_and(&[], &[[0, 2], [1, 3]])),
+        "segments 5 and 6 cross near (0.5, 0.5)\n\
+         \x20 site.poly:11: 5 1 3\n\
+         \x20 site.poly:12: 6 2 4\n\
+         help: `meshwright draw site.poly -o site.svg` shows the place"
+    );
+}
+
+#[test]
+fn a_segment_that_ends_on_another_one_is_named_by_its_end() {
+    let text = message(&square_and(&[[0.5, 0.0], [0.5, 0.5]], &[[4, 5]]));
+    assert!(
+        text.starts_with(
+            "point 5, where a segment ends, lies on segment 1 near (0.5, 0)\n\
+         \x20 site.poly:6: 5 0.5 0\n\
+         \x20 site.poly:9: 1 1 2\n"
+        ),
+        "{text}"
+    );
+}
+
+#[test]
+fn segments_that_overlap_are_one_error_not_three() {
+    let text = message(&square_and(&[[0.5, 0.0], [2.0, 0.0]], &[[4, 5]]));
+    assert!(text.starts_with("segments 1 and 5 overlap near (0.75, 0)\n"), "{text}");
+    assert!(!text.contains("where a segment ends"), "{text}");
+}
+
+#[test]
+fn a_point_on_a_segment_is_named_with_it() {
+    let text = message(&square_and(&[[1.0, 0.25]], &[]));
+    assert!(text.starts_with("point 5 lies on segment 2 near (1, 0.25)\n"), "{text}");
+}
+
+#[test]
+fn a_point_on_a_segment_of_the_hull_is_named_where_the_hull_is_meshed() {
+    let error = Domain::new(&square_and(&[[1.0, 0.25]], &[]), Region::Hull).expect_err("wrong");
+    assert!(error.to_string().starts_with("point 5 lies on segment 2 near (1, 0.25)\n"));
+}
+
+#[test]
+fn of_many_conflicts_three_are_named_and_the_rest_counted() {
+    let rungs: Vec<[f64; 2]> =
+        (1..6).flat_map(|i| [[-1.0, f64::from(i) / 8.0], [0.5, f64::from(i) / 8.0]]).collect();
+    let text = message(&square_and(&rungs, &[[4, 5], [6, 7], [8, 9], [10, 11], [12, 13]]));
+    assert_eq!(text.matches(" cross near ").count(), 3, "{text}");
+    assert!(text.contains("\nand 2 more\n"), "{text}");
+}
+
+#[test]
+fn an_outline_open_by_a_hair_names_its_open_ends_and_the_gap() {
+    let points = [&SQUARE[..], &[[0.0, 1e-9]]].concat();
+    let text = message(&file(&points, &[[0, 1], [1, 2], [2, 3], [3, 4]]));
+    assert!(
+        text.starts_with(
+            "the outline encloses nothing: points 1 and 5 are open ends, 1e-9 apart\n\
+             \x20 site.poly:2: 1 0 0\n\
+             \x20 site.poly:6: 5 0 0.000000001\n"
+        ),
+        "{text}"
+    );
+}
+
+/// A square with another, smaller one in it, and a hole seed in the middle of that.
+fn frame(segments: &[[u32; 2]]) -> Pslg {
+    let inner = [[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]];
+    Pslg { holes: vec![[0.5, 0.5]], ..square_and(&inner, segments) }
+}
+
+#[test]
+fn a_hole_whose_outline_is_open_eats_everything_and_names_the_open_ends() {
+    let text = message(&frame(&[[4, 5], [5, 6], [6, 7]]));
+    assert!(
+        text.starts_with(
+            "the holes leave nothing to mesh: points 5 and 8 are open ends, 0.5 apart\n"
+        ) && text.ends_with("\n  site.poly:100: 1 0.5 0.5"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_hole_seed_on_a_point_or_a_segment_is_refused() {
+    let closed = [[4, 5], [5, 6], [6, 7], [7, 4]];
+    let on_point = Pslg { holes: vec![[0.25, 0.25]], ..frame(&closed) };
+    let text = message(&on_point);
+    assert!(text.starts_with("hole 1 lies on point 5: "), "{text}");
+    assert!(text.contains("\n  site.poly:100: 1 0.25 0.25\n"), "{text}");
+    let on_segment = Pslg { holes: vec![[0.25, 0.5]], ..frame(&closed) };
+    assert!(message(&on_segment).starts_with("hole 1 lies on segment 8: "));
+}
+
+#[test]
+fn seeds_that_hit_nothing_are_warnings_with_their_lines() {
+    let mut pslg = square_and(&[], &[]);
+    pslg.holes = vec![[5.0, 5.0]];
+    let region =
+        |x: f64| crate::formats::Region { seed: [x, 0.5], tag: 7, attribute: 7.0, max_area: None };
+    pslg.regions = vec![region(0.5), region(0.75)];
+    assert_eq!(
+        warnings(&pslg),
+        [
+            "1 hole seed outside of the outline ignored\n  site.poly:100: 1 5 5",
+            "1 region seed in a region that has a seed already ignored\n  \
+             region 2 is region 1 again\n  site.poly:201: 2 0.75 0.5",
+        ]
+    );
+}
+
+#[test]
+fn faces_know_their_regions_and_whether_they_are_meshed() {
+    let mut pslg = frame(&[[4, 5], [5, 6], [6, 7], [7, 4]]);
+    pslg.regions =
+        vec![crate::formats::Region { seed: [0.1, 0.1], tag: 3, attribute: 3.0, max_area: None }];
+    let (domain, _) = Domain::new(&pslg, Region::Domain).expect("clean");
+    let [frame, outside] = domain.faces.sides(0);
+    assert_eq!(outside, OUTSIDE);
+    assert!(domain.faces.is_meshed(frame) && !domain.faces.is_meshed(outside));
+    assert_eq!(domain.faces.region(frame), Some(0));
+    // Segment 4 runs counter-clockwise around the hole: the hole lies to its left.
+    let [hole, other] = domain.faces.sides(4);
+    assert_eq!(other, frame);
+    assert!(!domain.faces.is_meshed(hole) && domain.faces.region(hole).is_none());
+    assert_eq!(domain.area(), 0.75);
+}
+
+#[test]
+fn what_is_given_twice_is_merged_and_said() {
+    let mut pslg = square_and(&[[-0.0, 1.0]], &[[2, 1], [4, 4], [4, 0]]);
+    pslg.segment_tags = vec![1, 2, 3, 4, 5, 6, 4];
+    let (domain, _) = Domain::new(&pslg, Region::Domain).expect("clean");
+    assert_eq!(domain.points.len(), 4);
+    assert_eq!(domain.segment_tags, [1, 2, 3, 4]);
+    let said = warnings(&pslg);
+    assert!(said[0].starts_with("1 duplicate point merged\n  point 5 is point 4\n"), "{said:?}");
+    assert!(said[1].starts_with("1 segment of length zero dropped\n  site.poly:13: 6 5 5"));
+    assert!(said[2].starts_with("1 duplicate segment dropped\n  segment 7 is segment 4 again"));
+    assert!(said[3].contains("segment 5 (tag 5) is segment 2 (tag 2) again"), "{said:?}");
+}
+
+#[test]
+fn points_alone_mean_their_convex_hull_split_at_every_point_on_it() {
+    let points = [&SQUARE[..], &[[0.5, 0.0], [0.5, 0.5]]].concat();
+    let (domain, warnings) = Domain::new(&file(&points, &[]), Region::Domain).expect("clean");
+    assert_eq!(warnings, [Warning::NoSegments]);
+    assert_eq!(domain.segments.len(), 5);
+    assert!(domain.hull && domain.meshed_points.iter().all(|&is_in| is_in));
+    assert_eq!(domain.area(), 1.0);
+}
+
+#[test]
+fn points_on_one_line_enclose_no_area() {
+    let error = domain(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]], &[[0, 1], [1, 2]]);
+    assert_eq!(error.expect_err("no area"), Error::Collinear { points: 3 });
+    let error = domain(&[[0.0, 0.0], [0.0, 0.0]], &[]).expect_err("no area");
+    assert_eq!(error, Error::TooFewPoints { points: 1 });
+}
+
+#[test]
+fn coordinates_far_from_one_are_scaled_without_error() {
+    for exponent in [-997, -500, 500, 1000] {
+        let corner = |[x, y]: [f64; 2]| [libm::scalbn(x, exponent), libm::scalbn(y, exponent)];
+        let domain = domain(&SQUARE.map(corner), &LOOP).expect("clean");
+        assert_eq!(domain.scale_exponent, exponent);
+        assert_eq!(domain.points, SQUARE);
+    }
+    let mut points = SQUARE;
+    points[0] = [1e-300, 0.0];
+    points[2] = [1e300, 1e300];
+    let error = domain(&points, &LOOP).expect_err("too small");
+    assert!(matches!(error, Error::TooSmall { coordinate: 1e-300, .. }), "{error}");
+    points[0] = [f64::NAN, 0.0];
+    assert!(matches!(domain(&points, &LOOP), Err(Error::NotFinite { .. })));
+}
+
+/// A unit square with a wedge of `theta` in it, everything moved by `offset`.
+fn wedge(theta: f64, offset: f64) -> Domain {
+    let tip = [offset, offset];
+    let square = SQUARE.map(|p| p.map(|c| 4.0 * c - 2.0 + offset));
+    let second = [offset + 0.83 * libm::cos(theta), offset + 0.83 * libm::sin(theta)];
+    let points = [&square[..], &[tip, [offset + 1.0, offset], second]].concat();
+    domain(&points, &[&LOOP[..], &[[4, 5], [4, 6]]].concat()).expect("clean")
+}
+
+#[test]
+fn tiny_angles_are_measured_to_the_last_digits() {
+    for (theta, offset) in [(1e-9, 0.0), (1e-3, 0.0), (1e-9, 1024.0), (1e-3, 1024.0)] {
+        let domain = wedge(theta, offset);
+        let smallest = domain.smallest_angle().expect("segments adjoin");
+        // At an offset the second end is rounded; what counts is the angle of the doubles.
+        let [x, y] = domain.points[6].map(|c| c - offset);
+        let exact = libm::atan2(y, x);
+        assert!((smallest.radians - exact).abs() <= 1e-15 * exact, "{smallest:?}, not {exact}");
+        assert_eq!((smallest.apex, smallest.segments), (4, [4, 5]));
+        assert!(smallest.is_meshed);
+    }
+}
+
+#[test]
+fn an_angle_too_small_for_doubles_is_said_before_meshing() {
+    assert!(wedge(1e-3, 0.0).precision_limits().is_empty());
+    let limits = wedge(1e-9, 0.0).precision_limits();
+    assert_eq!(limits.len(), 1);
+    assert_eq!(limits[0].angle.apex, 4);
+    // M = 2, so ulp(M) = 2^-51, and θ²·d ≥ 4·ulp(M) only far beyond the legs.
+    assert!((limits[0].reach - 4.0 * libm::scalbn(1.0, -51) * 1e18).abs() < 1e-6 * limits[0].reach);
+}
+
+#[test]
+fn the_closest_pair_is_that_of_a_look_at_all_pairs() {
+    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig::with_cases(500));
+    let outcome = runner.run(&soups(), |(points, segments)| {
+        let places: Vec<[f64; 2]> = points.iter().map(|p| p.map(|c| c as f64)).collect();
+        let Ok((domain, _)) = Domain::new(&outline(&places, &segments), Region::Hull) else {
+            return Ok(());
+        };
+        let found = domain.closest_pair().expect("three points").distance;
+        let mut least = f64::INFINITY;
+        for (index, &p) in (0..).zip(&domain.points) {
+            let distance = |q: [f64; 2]| libm::hypot(p[0] - q[0], p[1] - q[1]);
+            for (other, &q) in (0..).zip(&domain.points) {
+                if index != other {
+                    least = least.min(distance(q));
+                }
+            }
+            for &ends in &domain.segments {
+                let [a, b] = ends.map(|end| domain.points[end as usize]);
+                let along = [b[0] - a[0], b[1] - a[1]];
+                let dot = |u: [f64; 2], v: [f64; 2]| u[0] * v[0] + u[1] * v[1];
+                let part = dot([p[0] - a[0], p[1] - a[1]], along) / dot(along, along);
+                if !ends.contains(&index) && (0.0..=1.0).contains(&part) {
+                    least = least.min(distance([a[0] + part * along[0], a[1] + part * along[1]]));
+                }
+            }
+        }
+        prop_assert!((found - least).abs() <= 1e-12 * least.max(1.0), "{found}, not {least}");
+        Ok(())
+    });
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn a_star_of_100_000_spokes_is_no_matter_of_all_pairs() {
+    let count = 100_000;
+    let spoke = |i: u32| {
+        let angle = std::f64::consts::TAU * (f64::from(i) + 0.5) / f64::from(count);
+        [libm::cos(angle), libm::sin(angle)]
+    };
+    let square = SQUARE.map(|p| p.map(|c| 4.0 * c - 2.0));
+    let points: Vec<[f64; 2]> =
+        square.into_iter().chain([[0.0, 0.0]]).chain((0..count).map(spoke)).collect();
+    let spokes = (0..count).map(|i| [4, 5 + i]);
+    let segments: Vec<[u32; 2]> = LOOP.into_iter().chain(spokes).collect();
+    let domain = domain(&points, &segments).expect("clean");
+    assert_eq!((domain.faces.count(), domain.area()), (2, 16.0));
+    assert_eq!(domain.adjoining(4).len(), count as usize);
+}
