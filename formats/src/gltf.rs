@@ -9,6 +9,8 @@
 
 mod document;
 mod parts;
+#[cfg(test)]
+mod tests;
 
 use std::io::{self, Write};
 

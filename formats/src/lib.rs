@@ -3,11 +3,13 @@
 //! [`Pslg`] is what every outline reader makes, [`Mesh`] what every mesh writer takes. This crate
 //! knows files and flat arrays; it knows no geometry.
 //!
-//! Outlines: [`poly`], [`node`]. Meshes: [`msh`], [`vtu`], [`gltf`]. A reader takes text and a
-//! name for its messages; it returns what it read and what it passed over ([`Warning`]). A writer
-//! takes a [`std::io::Write`] and returns what became of the tags ([`groups::Note`]).
+//! Outlines: [`poly`], [`node`]. Meshes: [`msh`], [`vtu`], [`gltf`] (written only), [`ele`] (read
+//! only). A reader takes text and a name for its messages; it returns what it read and what it
+//! passed over ([`Warning`]). A writer takes a [`std::io::Write`] and returns what became of the
+//! tags ([`groups::Note`]).
 
 mod digits;
+pub mod ele;
 mod error;
 pub mod gltf;
 pub mod groups;

@@ -5,6 +5,8 @@
 //! (<https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format-version-2-_0028Legacy_0029>).
 
 mod read;
+#[cfg(test)]
+mod tests;
 mod write;
 
 pub use read::read;

@@ -114,7 +114,7 @@ fn segments(
             return Err(scanner.missing(format!("segment {} of {count}", index + 1)));
         }
         numbers.push(number(scanner, "the number of a segment")?);
-        let ends = [end_point(scanner, pslg)?, end_point(scanner, pslg)?];
+        let ends = [point(scanner, pslg)?, point(scanner, pslg)?];
         pslg.segments.push(ends);
         pslg.segment_tags.push(if markers { marker(scanner, &mut unmarked)? } else { 0 });
         pslg.source.segment_lines.push(scanner.line());
@@ -129,7 +129,7 @@ fn segments(
 }
 
 /// The (zero-based) index of the point whose number is the next word.
-fn end_point(scanner: &mut Scanner, pslg: &Pslg) -> Result<u32, SyntaxError> {
+pub(crate) fn point(scanner: &mut Scanner, pslg: &Pslg) -> Result<u32, SyntaxError> {
     let first = i64::from(pslg.source.first_number);
     let last = first + pslg.points.len() as i64 - 1;
     let value = match scanner.word() {
@@ -237,7 +237,7 @@ fn lone_values(pslg: &mut Pslg, lone: &[usize], warnings: &mut Vec<Warning>) {
 }
 
 /// The tag that a regional attribute is.
-fn whole(attribute: f64) -> Option<Tag> {
+pub(crate) fn whole(attribute: f64) -> Option<Tag> {
     let tag = attribute as Tag;
     (f64::from(tag) == attribute).then_some(tag)
 }
@@ -280,4 +280,100 @@ fn section(
 /// A number that only names its line.
 fn number(scanner: &mut Scanner, what: &'static str) -> Result<i64, SyntaxError> {
     scanner.integer(what, i64::MIN, i64::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square, and what follows its segments.
+    fn read_tail(tail: &str) -> Result<(Pslg, Vec<Warning>), SyntaxError> {
+        let square = "4 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n";
+        let text = square.to_owned() + tail;
+        read(text.as_bytes(), "square.poly", |_| unreachable!("the points are there"))
+    }
+
+    fn regions_of(lines: &str) -> (Vec<Region>, Vec<String>) {
+        let (pslg, warnings) = read_tail(&format!("0\n{lines}")).unwrap();
+        (pslg.regions, warnings.iter().map(Warning::to_string).collect())
+    }
+
+    fn region(attribute: f64, tag: Tag, max_area: Option<f64>) -> Region {
+        Region { seed: [0.5, 0.5], tag, attribute, max_area }
+    }
+
+    #[test]
+    fn holes_and_regions_are_read_with_their_lines() {
+        let (pslg, warnings) = read_tail("1\n9 .5 .25\n\n1\n8 .5 .5 7 .1\n").unwrap();
+        assert_eq!(pslg.holes, [[0.5, 0.25]]);
+        assert_eq!(pslg.regions, [region(7.0, 7, Some(0.1))]);
+        assert_eq!(pslg.source.hole_lines, [12]);
+        assert_eq!(pslg.source.region_lines, [15]);
+        assert_eq!(warnings, []);
+    }
+
+    #[test]
+    fn an_area_that_is_not_positive_is_no_bound() {
+        let (regions, warnings) = regions_of("2\n1 .5 .5 -7 -1\n2 .5 .5 0 0\n");
+        assert_eq!(regions, [region(-7.0, -7, None), region(0.0, 0, None)]);
+        assert!(warnings.is_empty());
+    }
+
+    #[test]
+    fn attributes_that_are_no_whole_numbers_get_free_tags() {
+        let lines = "4\n1 .5 .5 .5 -1\n2 .5 .5 1 -1\n3 .5 .5 1e10 -1\n4 .5 .5 .5 -1\n";
+        let (regions, warnings) = regions_of(lines);
+        let tags: Vec<Tag> = regions.iter().map(|region| region.tag).collect();
+        assert_eq!(tags, [2, 1, 3, 2]);
+        assert_eq!(regions[0].attribute, 0.5);
+        let warning = "square.poly:13: the regional attribute 0.5 of region 1 is no whole number: \
+                       its triangles get the tag 2";
+        assert_eq!(warnings.len(), 3);
+        assert_eq!(warnings[0], warning);
+    }
+
+    #[test]
+    fn a_lone_value_is_an_attribute_if_all_are_whole() {
+        let (regions, warnings) = regions_of("2\n1 .5 .5 1\n2 .5 .5 3\n");
+        assert_eq!(regions, [region(1.0, 1, None), region(3.0, 3, None)]);
+        let warning = "square.poly:13: 2 regions have only one value after the seed; taken as the \
+                       attribute, not as the largest area";
+        assert_eq!(warnings, [warning]);
+    }
+
+    #[test]
+    fn a_lone_value_is_an_area_if_one_is_not_whole() {
+        let (regions, warnings) = regions_of("2\n1 .5 .5 .05\n2 .5 .5 3\n");
+        assert_eq!(regions, [region(0.0, 0, Some(0.05)), region(0.0, 0, Some(3.0))]);
+        assert_eq!(warnings.len(), 1);
+    }
+
+    #[test]
+    fn a_region_without_a_value_is_an_error() {
+        let error = read_tail("0\n1\n1 .5 .5\n").unwrap_err();
+        let message = "square.poly:13:8: expected a regional attribute, found the end of the line";
+        assert!(error.to_string().starts_with(message), "{error}");
+    }
+
+    #[test]
+    fn segments_keep_numbers_that_do_not_count_up() {
+        let text = b"2 2\n0 0 0\n1 1 0\n2 1\n7 0 1 5\n7 1 0 -5\n";
+        let (pslg, _) = read(text, "two.poly", |_| unreachable!("the points are there")).unwrap();
+        assert_eq!(pslg.source.first_number, 0);
+        assert_eq!(pslg.source.segment_number(1), 7);
+        assert_eq!(pslg.source.point_number(1), 1);
+        assert_eq!(pslg.segment_tags, [5, -5]);
+    }
+
+    #[test]
+    fn the_companion_is_named_after_the_file() {
+        for (file, node) in [
+            ("dir.poly/lake.poly", "dir.poly/lake.node"),
+            ("lake.1.poly", "lake.1.node"),
+            ("lake.poly.gz", "lake.node"),
+            ("-", "-.node"),
+        ] {
+            assert_eq!(companion_name(file), node);
+        }
+    }
 }

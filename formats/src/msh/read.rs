@@ -135,8 +135,12 @@ impl Reader {
         self.mesh.points.reserve(reserved(count, scanner.left(), 8));
         let mut nodes = Nodes::default();
         let mut plane = None;
+        let mut first = 0;
         for index in 0..count {
             item(scanner, "node", index, count)?;
+            if index == 0 {
+                first = scanner.line();
+            }
             nodes.push(scanner)?;
             let x = scanner.real("an x coordinate")?;
             let y = scanner.real("a y coordinate")?;
@@ -146,7 +150,7 @@ impl Reader {
         }
         nodes.sort(scanner)?;
         if let Some(z) = plane.filter(|&z| z != 0.0) {
-            self.warn(scanner, scanner.line(), Notice::Plane { z });
+            self.warn(scanner, first, Notice::Plane { z });
         }
         self.nodes = Some(nodes);
         end(scanner, "$EndNodes")
