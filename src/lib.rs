@@ -20,4 +20,4 @@ pub mod triangulation;
 pub use parameters::{
     Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,
 };
-pub use run::{Error, Outcome, Warning, mesh, mesh_with};
+pub use run::{Error, InputAngle, Outcome, Warning, mesh, mesh_with};

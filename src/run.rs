@@ -21,12 +21,38 @@ pub struct Outcome {
     pub mesh: Mesh,
     /// What the judge, who shares no code with the refinement, found.
     pub certificate: Certificate,
+    /// The smallest angle between two adjoining segments; `None` where none adjoin.
+    pub smallest_input_angle: Option<InputAngle>,
     /// What was done to the outline, or is worth knowing about it.
     pub warnings: Vec<Warning>,
     /// Why the run ended: a mesh that was stopped early keeps no promise about its angles.
     pub end: End,
     /// How many subsegments and triangles were left as they are at the precision floor.
     pub refused: usize,
+}
+
+/// An angle between two adjoining segments. Indices are those of the outline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InputAngle {
+    /// The common point.
+    pub point: u32,
+    /// The segments; `None` for an edge of the convex hull that the outline lacks.
+    pub segments: [Option<u32>; 2],
+    /// The angle.
+    pub radians: f64,
+}
+
+impl InputAngle {
+    fn smallest(domain: &Domain) -> Option<Self> {
+        let input = |segment: u32| {
+            Some(domain.input_segments[segment as usize]).filter(|&input| input != u32::MAX)
+        };
+        domain.smallest_angle().map(|angle| Self {
+            point: domain.input_points[angle.apex as usize],
+            segments: angle.segments.map(input),
+            radians: angle.radians,
+        })
+    }
 }
 
 /// Why there is no mesh.
@@ -108,6 +134,7 @@ pub fn mesh_with(
     Ok(Outcome {
         certificate: certify(pslg, &mesh, &Promise::from(parameters)),
         mesh,
+        smallest_input_angle: InputAngle::smallest(&domain),
         warnings: warnings.into_iter().map(Warning::Domain).collect(),
         end,
         refused: refinement.refused.subsegments.len() + refinement.refused.triangles.len(),

@@ -47,7 +47,7 @@ impl Format {
             Self::Poly => "Triangle .poly",
             Self::Node => "Triangle .node",
             Self::Msh => "Gmsh 2.2",
-            Self::Vtu => "VTK .vtu",
+            Self::Vtu => "VTK",
             Self::Glb => "glTF",
         }
     }

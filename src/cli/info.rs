@@ -12,6 +12,7 @@ use super::failure::{Exit, Failure};
 use super::format::Format;
 use super::input::{self, Content, Input};
 use super::json;
+use super::summary::outline_counts;
 use super::voice::{Voice, print};
 use super::wording::{angle, count, grouped, place, significant};
 
@@ -94,18 +95,8 @@ fn outline(input: &Input, pslg: &Pslg, facts: &OutlineFacts) -> String {
         0 => "zero-based",
         _ => "one-based",
     };
-    let mut parts = vec![
-        input.format.name().to_string(),
-        base.to_string(),
-        count(pslg.points.len(), "point"),
-        count(pslg.segments.len(), "segment"),
-    ];
-    for (number, noun) in [(pslg.holes.len(), "hole"), (pslg.regions.len(), "region")] {
-        if number > 0 {
-            parts.push(count(number, noun));
-        }
-    }
-    let mut text = line("file", &format!("{}: {}", input.name, parts.join(", ")));
+    let (format, counts) = (input.format.name(), outline_counts(pslg));
+    let mut text = line("file", &format!("{}: {format}, {base}, {counts}", input.name));
     if let Some(extent) = facts.extent {
         text += &line("extent", &extent_text(extent));
     }
@@ -231,26 +222,27 @@ fn closest_text(closest: ClosestPair, domain: &Domain, pslg: &Pslg) -> String {
 /// `wall (1): 88 segments · inlet (2): 4 segments · untagged: 114 segments`
 pub fn groups_text(groups: &[GroupCount], line_noun: &str) -> String {
     const MOST: usize = 12;
-    let mut texts: Vec<String> =
-        groups.iter().take(MOST).map(|g| group_text(g, line_noun)).collect();
-    if groups.len() > MOST {
-        texts.push(format!("and {} more groups", groups.len() - MOST));
+    let counted = |group: &GroupCount| {
+        count(group.count, if group.dim == 1 { line_noun } else { "triangle" })
+    };
+    let (tagged, untagged): (Vec<_>, Vec<_>) = groups.iter().partition(|group| group.tag != 0);
+    let mut texts: Vec<String> = Vec::new();
+    for group in tagged.iter().take(MOST) {
+        let name = match (&group.name, group.dim) {
+            (Some(name), _) => format!("{name} ({})", group.tag),
+            (None, 1) => format!("boundary {}", group.tag),
+            (None, _) => format!("region {}", group.tag),
+        };
+        texts.push(format!("{name}: {}", counted(group)));
+    }
+    if tagged.len() > MOST {
+        texts.push(format!("and {} more", count(tagged.len() - MOST, "group")));
+    }
+    if !untagged.is_empty() {
+        let counts: Vec<String> = untagged.into_iter().map(counted).collect();
+        texts.push(format!("untagged: {}", counts.join(", ")));
     }
     texts.join(" · ")
-}
-
-fn group_text(group: &GroupCount, line_noun: &str) -> String {
-    let noun = match group.dim {
-        1 => line_noun,
-        _ => "triangle",
-    };
-    let counted = count(group.count, noun);
-    match (&group.name, group.tag) {
-        (Some(name), tag) => format!("{name} ({tag}): {counted}"),
-        (None, 0) => format!("untagged: {counted}"),
-        (None, tag) if group.dim == 1 => format!("boundary {tag}: {counted}"),
-        (None, tag) => format!("region {tag}: {counted}"),
-    }
 }
 
 fn segments_by_tag(pslg: &Pslg) -> Vec<GroupCount> {

@@ -76,14 +76,15 @@ pub fn any(path: &Path, from: Option<Format>, voice: &Voice) -> Result<Input, Fa
             Content::Mesh(mesh)
         }
         Format::Vtu => Content::Mesh(vtu::read(&bytes, &name).map_err(Failure::input)?),
-        Format::Glb => return Err(not_read(&name, "glb")),
+        Format::Glb => unreachable!("`format_of` refuses formats that are not read"),
     };
     Ok(Input { content, format, name, files })
 }
 
 fn format_of(path: &Path, from: Option<Format>) -> Result<Format, Failure> {
     match from.or_else(|| Format::of(path)) {
-        Some(format) => Ok(format),
+        Some(format) if format.holds_outlines() || format.meshes_are_read() => Ok(format),
+        Some(format) => Err(not_read(&path.display().to_string(), format.extension())),
         None if path == Path::new("-") => {
             let known = listed(|f| f.holds_outlines() || f.meshes_are_read()).replace('.', "");
             Err(Failure::usage("stdin has no name that tells its format")

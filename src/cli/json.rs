@@ -6,15 +6,106 @@
 use meshwright::certify::{Certificate, Fault, Judgement, Promise, Verdict};
 use meshwright::domain::{self, Angle, ClosestPair, Domain, Feature};
 use meshwright::formats::Pslg;
+use meshwright::refine::End;
 use meshwright::statistics::{GroupCount, Statistics};
-use meshwright::{Excuse, Region};
+use meshwright::{Excuse, Outcome, Parameters, Region, Rule, Splitting, Steiner};
 use serde_json::{Map, Value, json};
 
+use super::failure::Exit;
+use super::format::Format;
 use super::info::OutlineFacts;
 use super::input::Input;
+use super::output::Written;
 
 /// The version of these objects: it changes when a reader of them would have to change.
 const VERSION: u32 = 1;
+
+/// What the object of `mesh` is made from.
+pub struct MeshReport<'a> {
+    /// The outline's file.
+    pub input: &'a Input,
+    /// The outline.
+    pub pslg: &'a Pslg,
+    /// The run.
+    pub outcome: &'a Outcome,
+    /// The mesh's counts and angles.
+    pub statistics: &'a Statistics,
+    /// What was asked.
+    pub parameters: &'a Parameters,
+    /// The files written, with their formats.
+    pub written: &'a [(Written, Format)],
+    /// What was warned of.
+    pub warnings: Vec<String>,
+    /// How the command ends.
+    pub exit: Exit,
+}
+
+/// The report of `mesh`.
+pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
+    let MeshReport { pslg, outcome, .. } = report;
+    let mut object = header("mesh");
+    object.extend(file(report.input));
+    let corner = outcome.smallest_input_angle.map(|corner| {
+        let number = |segment: Option<u32>| segment.map(|s| pslg.source.segment_number(s));
+        json!({
+            "degrees": corner.radians.to_degrees(),
+            "point": pslg.source.point_number(corner.point),
+            "segments": corner.segments.map(number),
+        })
+    });
+    let outline = json!({
+        "points": pslg.points.len(),
+        "segments": pslg.segments.len(),
+        "holes": pslg.holes.len(),
+        "regions": pslg.regions.len(),
+        "smallest_angle": corner,
+    });
+    let output = |(written, format): &(Written, Format)| {
+        json!({
+            "file": written.place.display().to_string(),
+            "format": format.extension(),
+            "bytes": written.size,
+        })
+    };
+    for (name, value) in [
+        ("outline", outline),
+        ("parameters", parameters(report.parameters)),
+        ("mesh", mesh(report.statistics)),
+        ("certificate", certificate(&outcome.certificate)),
+        ("stopped", json!(outcome.end == End::PointBudget)),
+        ("refused", json!(outcome.refused)),
+        ("warnings", json!(report.warnings)),
+        ("outputs", report.written.iter().map(output).collect()),
+        ("exit", json!(report.exit as u8)),
+    ] {
+        object.insert(name.into(), value);
+    }
+    finished(object)
+}
+
+fn parameters(parameters: &Parameters) -> Value {
+    let mut object = promise(&Promise::from(parameters));
+    let more = json!({
+        "max_area": parameters.max_area,
+        "max_points": parameters.max_points,
+        "splitting": match parameters.splitting {
+            Splitting::Ladder => "ladder",
+            Splitting::Shells => "shells",
+        },
+        "steiner": match parameters.steiner {
+            Steiner::OffCenter => "off-center",
+            Steiner::Circumcenter => "circumcenter",
+        },
+        "rule": match parameters.rule {
+            Rule::Adaptive => "adaptive",
+            Rule::Ruppert => "ruppert",
+        },
+    });
+    if let (Value::Object(object), Value::Object(more)) = (&mut object, more) {
+        object.extend(more);
+    }
+    object
+}
 
 /// The answer of `info` about an outline.
 pub fn outline_info(input: &Input, pslg: &Pslg, facts: &OutlineFacts) -> Vec<u8> {

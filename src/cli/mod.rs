@@ -1,5 +1,4 @@
 //! The command: what it is asked, what it says, and with which exit code it ends.
-#![allow(dead_code)] // for `mesh`, which comes with the refinement
 
 mod check;
 mod draw;
@@ -8,9 +7,12 @@ mod format;
 mod info;
 mod input;
 mod json;
+mod mesh;
 mod options;
 mod output;
+mod progress;
 mod shell;
+mod summary;
 mod voice;
 mod wording;
 
@@ -45,6 +47,8 @@ Exit codes:
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Mesh an outline, certify the mesh and write it.
+    Mesh(mesh::Arguments),
     /// Judge any triangle mesh: alone, or against the outline it was made from.
     Check(check::Arguments),
     /// Tell what a file holds and whether an outline is ready to mesh.
@@ -79,6 +83,7 @@ pub fn run() -> Exit {
 
 fn run_command(command: &Command, voice: &Voice) -> Result<Exit, Failure> {
     match command {
+        Command::Mesh(arguments) => mesh::run(arguments, voice),
         Command::Check(arguments) => check::run(arguments, voice),
         Command::Info(arguments) => info::run(arguments, voice),
         Command::Draw(arguments) => draw::run(arguments, voice),

@@ -1,0 +1,263 @@
+//! `meshwright mesh`: from an outline to certified mesh files.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use meshwright::formats::groups::Note;
+use meshwright::formats::{Mesh, gltf, msh, vtu};
+use meshwright::refine::End;
+use meshwright::{Error, Outcome, Parameters, Rule, Splitting, Steiner, mesh_with};
+
+use super::failure::{Exit, Failure};
+use super::format::{Format, listed};
+use super::input;
+use super::json::{self, MeshReport};
+use super::options::{PromiseOptions, Scale, one_of, positive};
+use super::output::{Pending, STDOUT, Written, check_places};
+use super::progress::ProgressLine;
+use super::summary::Summary;
+use super::voice::{Voice, print};
+use super::wording::count;
+
+/// More notes of writers than this are counted, not shown, unless asked for.
+const MOST_NOTES: usize = 6;
+
+/// What `mesh` is asked.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// The outline (`-`: stdin).
+    input: PathBuf,
+    /// A file to write, its format by its end: .msh, .vtu, .glb; may be given several times
+    /// (`-`: stdout).
+    #[arg(short, long, value_name = "OUT")]
+    output: Vec<PathBuf>,
+    /// The format of the input, where its name does not tell.
+    #[arg(long, value_name = "FORMAT")]
+    from: Option<Format>,
+    /// The format of outputs whose names do not tell.
+    #[arg(long, value_name = "FORMAT")]
+    to: Option<Format>,
+    #[command(flatten)]
+    promise: PromiseOptions,
+    /// No triangle may be larger than this area.
+    #[arg(long, value_name = "A", value_parser = positive, allow_negative_numbers = true)]
+    max_area: Option<f64>,
+    /// Stop at this many points.
+    #[arg(long, value_name = "N", default_value = "10000000",
+          value_parser = clap::value_parser!(u32).range(3..))]
+    max_points: u32,
+    /// Where segments are split: at dyadic distances all the way out, or on shells as in the
+    /// paper.
+    #[arg(long, default_value = "ladder", value_parser = one_of([
+        ("ladder", Splitting::Ladder), ("shells", Splitting::Shells),
+    ]))]
+    splitting: Splitting,
+    /// Where the point goes that removes a bad triangle.
+    #[arg(long, default_value = "off-center", value_parser = one_of([
+        ("off-center", Steiner::OffCenter), ("circumcenter", Steiner::Circumcenter),
+    ]))]
+    steiner: Steiner,
+    /// Which small angles are attacked: all but the excused ones, or all.
+    #[arg(long, default_value = "adaptive", value_parser = one_of([
+        ("adaptive", Rule::Adaptive), ("ruppert", Rule::Ruppert),
+    ]))]
+    rule: Rule,
+    #[command(flatten)]
+    scale: Scale,
+    /// Renumber groups so that no number serves a boundary and a region (.msh).
+    #[arg(long)]
+    unique_ids: bool,
+    /// Let any warning end the command with exit code 4.
+    #[arg(long)]
+    strict: bool,
+    /// Print one JSON object about the run.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Meshes.
+pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
+    let formats = arguments.formats()?;
+    let (mut pslg, input) = input::outline(&arguments.input, arguments.from, voice)?;
+    check_places(&arguments.output, &input.files)?;
+    arguments.scale.apply(&mut pslg);
+
+    let line = ProgressLine::new(voice);
+    let meshed = mesh_with(&pslg, &arguments.parameters(), &mut |progress| line.show(progress));
+    let took = line.finish();
+    let outcome = meshed.map_err(failure)?;
+    outcome.warnings.iter().for_each(|warning| voice.warn(warning));
+
+    let summary = Summary::new(&pslg, &outcome);
+    summary.say_mesh(&input.name, took, voice);
+    let (written, notes) = arguments.write(&outcome.mesh, &formats)?;
+    say_notes(notes, voice);
+    summary.say_written(&written, voice);
+
+    let exit = verdict(&outcome, arguments, voice);
+    if arguments.json {
+        print(&json::mesh_run(&MeshReport {
+            input: &input,
+            pslg: &pslg,
+            outcome: &outcome,
+            statistics: &summary.statistics,
+            parameters: &arguments.parameters(),
+            written: &written,
+            warnings: voice.warnings(),
+            exit: exit.as_ref().map_or_else(|failure| failure.exit, |&exit| exit),
+        }))?;
+    }
+    exit
+}
+
+impl Arguments {
+    fn parameters(&self) -> Parameters {
+        let promise = self.promise.promise();
+        Parameters {
+            min_angle: promise.min_angle,
+            max_area: self.max_area,
+            max_points: self.max_points as usize,
+            splitting: self.splitting,
+            excuse: promise.excuse,
+            steiner: self.steiner,
+            rule: self.rule,
+            region: promise.region,
+        }
+    }
+
+    /// The format of each output, known before anything is read.
+    fn formats(&self) -> Result<Vec<Format>, Failure> {
+        if self.json && self.output.iter().any(|output| output == Path::new(STDOUT)) {
+            return Err(Failure::usage("--json and `-o -` both want stdout"));
+        }
+        self.output.iter().map(|output| self.format(output)).collect()
+    }
+
+    fn format(&self, output: &Path) -> Result<Format, Failure> {
+        let known = listed(Format::meshes_are_written);
+        match Format::of(output).or(self.to) {
+            Some(_) if output.extension().is_some_and(|end| end.eq_ignore_ascii_case("gz")) => {
+                Err(Failure::usage(format!(
+                    "{}: compressed files are read, not written",
+                    output.display()
+                )))
+            }
+            Some(format) if format.meshes_are_written() => Ok(format),
+            Some(format) => Err(Failure::usage(format!(
+                "{}: a mesh is not written as .{}",
+                output.display(),
+                format.extension()
+            ))
+            .with_help(format!("meshes are written to {known}"))),
+            None => Err(Failure::usage(format!(
+                "{}: its name does not tell the format of a mesh",
+                output.display()
+            ))
+            .with_help(format!("meshes are written to {known}; --to FORMAT says it too"))),
+        }
+    }
+
+    /// Writes every output, then puts all in their places: none is there if one fails.
+    fn write(&self, mesh: &Mesh, formats: &[Format]) -> Result<(Outputs, Notes), Failure> {
+        let mut notes = Notes::default();
+        let mut pending = Vec::new();
+        for (output, &format) in self.output.iter().zip(formats) {
+            let (file, said) =
+                Pending::write(output, |out| write_mesh(mesh, format, self.unique_ids, out))?;
+            pending.push(file);
+            notes.add(output, said);
+        }
+        let finish = |(file, &format): (Pending, _)| file.finish().map(|file| (file, format));
+        let written = pending.into_iter().zip(formats).map(finish).collect::<Result<_, _>>()?;
+        Ok((written, notes))
+    }
+}
+
+fn write_mesh(
+    mesh: &Mesh,
+    format: Format,
+    unique_ids: bool,
+    mut out: &mut dyn Write,
+) -> io::Result<Vec<Note>> {
+    match format {
+        Format::Msh => msh::write_with(mesh, msh::Options { unique_ids }, &mut out),
+        Format::Vtu => vtu::write(mesh, &mut out),
+        Format::Glb => gltf::write(mesh, &mut out),
+        Format::Poly | Format::Node => Err(io::ErrorKind::Unsupported.into()),
+    }
+}
+
+/// Written files and their formats.
+type Outputs = Vec<(Written, Format)>;
+
+/// What writers said, each with the files it is about.
+#[derive(Default)]
+struct Notes {
+    texts: Vec<(String, bool)>,
+    files: BTreeMap<String, Vec<String>>,
+}
+
+impl Notes {
+    fn add(&mut self, output: &Path, notes: Vec<Note>) {
+        for note in notes {
+            let text = match &note {
+                Note::SharedNumbers { .. } => format!("{note} (--unique-ids renumbers)"),
+                note => note.to_string(),
+            };
+            let files = self.files.entry(text.clone()).or_default();
+            if files.is_empty() {
+                self.texts.push((text, note.is_warning()));
+            }
+            files.push(output.display().to_string());
+        }
+    }
+}
+
+fn say_notes(notes: Notes, voice: &Voice) {
+    let mut left = if voice.verbose { usize::MAX } else { MOST_NOTES };
+    let mut untold = 0;
+    for (text, is_warning) in &notes.texts {
+        let files = notes.files[text].join(", ");
+        if *is_warning {
+            voice.warn(format!("{files}: {text}"));
+        } else if left > 0 {
+            left -= 1;
+            voice.note(format!("{files}: {text}"));
+        } else {
+            untold += 1;
+        }
+    }
+    if untold > 0 {
+        voice
+            .note(format!("and {} of this kind (--verbose tells all)", count(untold, "more note")));
+    }
+}
+
+fn failure(error: Error) -> Failure {
+    match error {
+        Error::Cancelled => Failure { exit: Exit::Interrupted, message: error.to_string() },
+        error => Failure::input(error),
+    }
+}
+
+/// How a run ends that made and wrote a mesh.
+fn verdict(outcome: &Outcome, arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
+    if outcome.end == End::PointBudget {
+        let budget = count(arguments.max_points as usize, "point");
+        return Err(Failure::promise(format!(
+            "the run stopped at {budget} (--max-points): the mesh is complete, its angles are not"
+        )));
+    }
+    if !outcome.certificate.holds() {
+        return Err(Failure::promise("the mesh does not keep what was promised"));
+    }
+    match voice.warnings().len() {
+        0 => Ok(Exit::Done),
+        n if arguments.strict => {
+            Err(Failure::promise(format!("{}, and --strict allows none", count(n, "warning"))))
+        }
+        _ => Ok(Exit::Done),
+    }
+}

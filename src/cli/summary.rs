@@ -1,0 +1,162 @@
+//! What `mesh` says about a run.
+
+use std::time::Duration;
+
+use meshwright::Outcome;
+use meshwright::certify::ExcusedAngle;
+use meshwright::formats::Pslg;
+use meshwright::statistics::{Statistics, smallest_angle_but};
+
+use super::format::Format;
+use super::info::groups_text;
+use super::output::{STDOUT, Written};
+use super::voice::Voice;
+use super::wording::{angle, bytes, count, grouped};
+
+/// What there is to say.
+pub struct Summary<'a> {
+    pslg: &'a Pslg,
+    outcome: &'a Outcome,
+    /// The mesh's counts and angles.
+    pub statistics: Statistics,
+}
+
+impl<'a> Summary<'a> {
+    /// Counts what will be said.
+    pub fn new(pslg: &'a Pslg, outcome: &'a Outcome) -> Self {
+        Self { pslg, outcome, statistics: Statistics::of(&outcome.mesh) }
+    }
+
+    /// From the outline to the certificate.
+    pub fn say_mesh(&self, name: &str, took: Duration, voice: &Voice) {
+        if voice.quiet {
+            return;
+        }
+        let (pslg, statistics) = (self.pslg, &self.statistics);
+        say(voice, "outline", &format!("{name}: {}", outline_counts(pslg)));
+        if let Some(text) = self.smallest_input_angle() {
+            say(voice, "", &text);
+        }
+        say(
+            voice,
+            "mesh",
+            &format!(
+                "{}, {} in {}",
+                count(statistics.points, "point"),
+                count(statistics.triangles, "triangle"),
+                seconds(took)
+            ),
+        );
+        say(voice, "angles", &self.angles(voice.verbose));
+        if voice.verbose {
+            let excused = &self.outcome.certificate.excused;
+            excused.iter().for_each(|excused| say(voice, "", &self.excused(excused)));
+        }
+        say(voice, "groups", &groups_text(&statistics.groups, "edge"));
+        self.say_certificate(voice);
+    }
+
+    /// Where the mesh went.
+    pub fn say_written(&self, written: &[(Written, Format)], voice: &Voice) {
+        let told: Vec<String> = written
+            .iter()
+            .filter(|(written, _)| written.place.as_os_str() != STDOUT)
+            .map(|(written, format)| {
+                let size = bytes(written.size);
+                format!("{} ({}, {size})", written.place.display(), format.name())
+            })
+            .collect();
+        if !told.is_empty() {
+            say(voice, "wrote", &told.join(", "));
+        }
+    }
+
+    /// `smallest angle 5.85°, between segments 417 and 418 at point 418`
+    fn smallest_input_angle(&self) -> Option<String> {
+        let corner = self.outcome.smallest_input_angle?;
+        let source = &self.pslg.source;
+        let [Some(a), Some(b)] = corner.segments else { return None };
+        let [a, b] = [a, b].map(|segment| source.segment_number(segment));
+        let point = source.point_number(corner.point);
+        let smallest = angle(corner.radians);
+        Some(format!("smallest angle {smallest}, between segments {a} and {b} at point {point}"))
+    }
+
+    /// `26.45° to 126.9°; 3 smaller ones excused by the outline (5.85° … 19.2°; …)`
+    fn angles(&self, verbose: bool) -> String {
+        let mesh = &self.outcome.mesh;
+        let excused = &self.outcome.certificate.excused;
+        let named = excused.iter().map(|excused| (excused.triangle, excused.edge));
+        let smallest = smallest_angle_but(mesh, named);
+        let range = format!("{} to {}", angle(smallest), angle(self.statistics.largest_angle));
+        let measured = || excused.iter().map(|excused| excused.angle);
+        let least = measured().fold(f64::INFINITY, f64::min);
+        let most = measured().fold(0.0, f64::max);
+        let list = if verbose { "" } else { "; --verbose lists them" };
+        match excused.len() {
+            0 => range,
+            1 => format!("{range}; a smaller one excused by the outline ({})", angle(least)),
+            n => format!(
+                "{range}; {} smaller ones excused by the outline ({} … {}{list})",
+                grouped(n as u64),
+                angle(least),
+                angle(most)
+            ),
+        }
+    }
+
+    /// `triangle 12: 19.2° between segments 417 and 418, which meet at 5.85°`
+    fn excused(&self, excused: &ExcusedAngle) -> String {
+        format!(
+            "triangle {}: {} between segments {} and {}, which meet at {}",
+            u64::from(excused.triangle) + 1,
+            angle(excused.angle),
+            excused.segments[0].number,
+            excused.segments[1].number,
+            angle(excused.theta)
+        )
+    }
+
+    fn say_certificate(&self, voice: &Voice) {
+        let certificate = &self.outcome.certificate;
+        if !certificate.holds() {
+            say(voice, "FAILS", "the judge found what must not be:");
+            certificate.to_string().lines().for_each(|line| say(voice, "", line));
+        } else if certificate.limited() {
+            say(
+                voice,
+                "certified",
+                "conforming; limited by precision where segments nearly coincide",
+            );
+            certificate.to_string().lines().for_each(|line| say(voice, "", line));
+        } else {
+            say(voice, "certified", "conforming, Delaunay, every angle accounted for");
+        }
+    }
+}
+
+fn say(voice: &Voice, label: &str, text: &str) {
+    voice.say(&format!("{label:<9} {text}"));
+}
+
+/// `1 294 points, 1 294 segments, 16 holes`
+pub fn outline_counts(pslg: &Pslg) -> String {
+    let mut parts = vec![count(pslg.points.len(), "point"), count(pslg.segments.len(), "segment")];
+    for (number, noun) in [(pslg.holes.len(), "hole"), (pslg.regions.len(), "region")] {
+        if number > 0 {
+            parts.push(count(number, noun));
+        }
+    }
+    parts.join(", ")
+}
+
+/// `0.02 s`, `3.1 s`, `75 s`
+fn seconds(took: Duration) -> String {
+    let seconds = took.as_secs_f64();
+    let digits = match seconds {
+        s if s < 1.0 => 2,
+        s if s < 10.0 => 1,
+        _ => 0,
+    };
+    format!("{seconds:.digits$} s")
+}

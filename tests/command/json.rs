@@ -1,0 +1,105 @@
+//! `--json`: what it prints is what `docs/schema/` says.
+
+use serde_json::Value;
+
+use crate::bench::{Bench, CROSSING, Ran, SQUARE, TWO};
+use crate::schema::broken;
+
+/// The object on stdout, judged by the schema.
+fn report(ran: &Ran) -> Value {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/schema/report-1.json");
+    let schema = std::fs::read_to_string(file).expect("the schema");
+    let schema: Value = serde_json::from_str(&schema).expect("the schema is JSON");
+    let report: Value = serde_json::from_str(&ran.stdout).expect("stdout is one object");
+    assert_eq!(broken(&schema, &schema, &report, "report"), Vec::<String>::new());
+    report
+}
+
+#[test]
+fn mesh_reports_as_the_schema_says() {
+    let bench = Bench::with("json-mesh", "square.poly", SQUARE);
+    let ran = bench.succeeds("mesh square.poly --json -o a.msh -o a.vtu --max-area 0.01");
+    let report = report(&ran);
+    assert_eq!(report["command"], "mesh");
+    assert_eq!(report["outline"]["segments"], 4);
+    assert_eq!(report["certificate"]["holds"], true);
+    assert_eq!(report["outputs"][1]["bytes"], bench.read("a.vtu").len());
+    assert_eq!(report["exit"], 0);
+    let kinds = report["mesh"]["points_by_kind"].as_object().expect("the kinds are known");
+    let sum: u64 = kinds.values().filter_map(Value::as_u64).sum();
+    assert_eq!(report["mesh"]["points"], sum);
+}
+
+#[test]
+fn a_run_that_breaks_its_promise_reports_it() {
+    let bench = Bench::with("json-budget", "square.poly", SQUARE);
+    let ran = bench.run("mesh square.poly --json --max-area 1e-4 --max-points 50");
+    assert_eq!(ran.code, Some(4));
+    let report = report(&ran);
+    assert_eq!((&report["stopped"], &report["exit"]), (&true.into(), &4.into()));
+}
+
+#[test]
+fn the_report_holds_no_clock() {
+    let bench = Bench::with("json-same", "square.poly", SQUARE);
+    let run = || bench.succeeds("mesh square.poly --json --max-area 0.01").stdout;
+    assert_eq!(run(), run());
+}
+
+#[test]
+fn check_reports_as_the_schema_says() {
+    let bench = Bench::with("json-check", "two.msh", TWO);
+    bench.put("square.poly", SQUARE);
+    let alone = report(&bench.succeeds("check two.msh --json"));
+    assert_eq!(alone["certificate"]["theta_star"], Value::Null);
+
+    let ran = bench.run("check two.msh --input square.poly --json");
+    assert_eq!(ran.code, Some(4), "the tags differ: {ran:?}");
+    let report = report(&ran);
+    assert_eq!(report["certificate"]["holds"], false);
+    assert_eq!(report["certificate"]["guarantees"][3]["verdict"], "fails");
+}
+
+#[test]
+fn info_reports_as_the_schema_says() {
+    let bench = Bench::with("json-info", "square.poly", SQUARE);
+    bench.put("two.msh", TWO);
+    bench.put("site.poly", CROSSING);
+    bench.put("empty.poly", "0 2 0 0\n0 0\n0\n");
+    bench.put("empty.node", "0 2 0 0\n");
+    let clean = report(&bench.succeeds("info square.poly --json"));
+    assert_eq!(clean["outline"]["ready"], true);
+    assert_eq!(clean["outline"]["area"], 1.0);
+    let unclean = report(&bench.succeeds("info site.poly --json"));
+    assert_eq!(unclean["outline"]["ready"], false);
+    assert_eq!(unclean["outline"]["places"][0][0], 0.5);
+    assert_eq!(report(&bench.succeeds("info two.msh --json"))["mesh"]["triangles"], 2);
+}
+
+#[test]
+fn the_schema_judge_finds_what_breaks_a_schema() {
+    let schema: Value = serde_json::json!({
+        "type": "object",
+        "additionalProperties": false,
+        "required": ["a"],
+        "properties": {
+            "a": { "type": "integer", "minimum": 0 },
+            "b": { "type": ["array", "null"], "items": { "enum": [1, 2] }, "maxItems": 2 },
+            "c": { "oneOf": [{ "const": 1 }, { "const": 2 }] },
+        },
+    });
+    let faults = |value: &Value| broken(&schema, &schema, value, "x").len();
+    assert_eq!(faults(&serde_json::json!({ "a": 1, "b": [1, 2], "c": 2 })), 0);
+    for wrong in [
+        serde_json::json!({}),
+        serde_json::json!([]),
+        serde_json::json!({ "a": -1 }),
+        serde_json::json!({ "a": 1.5 }),
+        serde_json::json!({ "a": 1, "d": 1 }),
+        serde_json::json!({ "a": 1, "b": [3] }),
+        serde_json::json!({ "a": 1, "b": [1, 1, 1] }),
+        serde_json::json!({ "a": 1, "c": 3 }),
+    ] {
+        assert_ne!(faults(&wrong), 0, "{wrong}");
+    }
+}

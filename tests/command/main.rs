@@ -1,0 +1,9 @@
+//! The command as a user meets it: exit codes, messages, files.
+
+mod bench;
+mod drawing;
+mod files;
+mod json;
+mod messages;
+mod schema;
+mod signals;
