@@ -179,7 +179,10 @@ impl Clean<'_> {
             libm::hypot(ax - bx, ay - by)
         };
         let nearest = |i: u32| {
-            let squared = |j: u32| if i == j { f64::INFINITY } else { distance(i, j).powi(2) };
+            let squared = |j: u32| match distance(i, j) {
+                _ if i == j => f64::INFINITY,
+                distance => distance * distance,
+            };
             boxes.nearest(place(i), f64::INFINITY, squared).map_or(i, |(j, _)| j)
         };
         let mut pairs: Vec<[u32; 2]> =
