@@ -77,7 +77,7 @@ def test_each_node_holds_the_cells_of_its_group(gltf, rooms):
     mesh = rooms.mesh
     for (dim, tag), node in groups(gltf).items():
         [primitive] = gltf[0]["meshes"][node["mesh"]]["primitives"]
-        assert primitive["mode"] == (LINES if dim == 1 else TRIANGLES)
+        assert primitive.get("mode", TRIANGLES) == (LINES if dim == 1 else TRIANGLES)
         cells = (mesh.edges, mesh.triangles)[dim - 1]
         tags = (mesh.edge_tags, mesh.triangle_tags)[dim - 1]
         wanted = mesh.points[cells[tags == tag]]

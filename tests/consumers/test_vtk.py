@@ -30,7 +30,7 @@ def grid(rooms):
 
 def cells(grid, kind, corners):
     """The cells of a kind, and where they stand among all cells."""
-    kinds = vtk_to_numpy(grid.GetCellTypesArray())
+    kinds = vtk_to_numpy(grid.GetCellTypes())
     offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
     connectivity = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
     places = np.nonzero(kinds == kind)[0]
@@ -64,7 +64,9 @@ def test_names_of_groups_are_field_data(grid):
     for index in range(fields.GetNumberOfArrays()):
         array = fields.GetArray(index)
         assert array is not None, "no array of strings"
-        tag, dim = vtk_to_numpy(array).ravel()
+        if array.GetName() == "meshwright":
+            continue  # the mark of our files
+        tag, dim = vtk_to_numpy(array)
         found[int(dim), int(tag)] = array.GetName()
     assert found == answers.NAMES
 
