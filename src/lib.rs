@@ -7,6 +7,7 @@ mod assemble;
 mod carve;
 pub mod certify;
 pub mod constructions;
+mod corners;
 pub mod domain;
 mod double_double;
 pub mod draw;

@@ -65,7 +65,7 @@ pub fn territory_point(length: f64, gaps: [&dyn Fn(f64) -> f64; 2], floor: f64) 
     let nearer = usize::from(gaps[0](middle) < gaps[1](middle));
     let (mut low, mut high) = (0.0, middle);
     // The gap of the nearer end overtakes the other's somewhere in (0, L/2].
-    while high - low > high * 2f64.powi(-31) {
+    while high - low > libm::ldexp(high, -31) {
         let guess = 0.5 * (low + high);
         if gaps[nearer](guess) < gaps[1 - nearer](length - guess) {
             low = guess;
@@ -76,7 +76,7 @@ pub fn territory_point(length: f64, gaps: [&dyn Fn(f64) -> f64; 2], floor: f64) 
             return Border { nearer, distance: 0.0 };
         }
     }
-    let unit = power_of_two_below(high) * 2f64.powi(-29);
+    let unit = libm::ldexp(power_of_two_below(high), -29);
     Border { nearer, distance: (high / unit).round() * unit }
 }
 

@@ -1,9 +1,9 @@
 //! Which triangles are bad, and which of their angles triggers.
 
 use crate::constructions::Angle;
+use crate::corners::{next, previous};
 use crate::parameters::MinAngle;
 use crate::predicates::Relative;
-use crate::triangulation::{next, previous};
 
 /// A quick look at the triangle of the point that `a` and `b` are seen from: whether its smallest
 /// angle may be below κ̂. Rounded, and only a filter: [`trigger`] decides.

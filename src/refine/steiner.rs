@@ -2,8 +2,8 @@
 
 use super::quality::Trigger;
 use crate::constructions::on_bisector;
+use crate::corners::{next, previous};
 use crate::parameters::{MinAngle, Parameters, Steiner};
-use crate::triangulation::{next, previous};
 
 /// The point that removes a triangle: rounded to the coordinates of the output, and only then
 /// tested and committed.

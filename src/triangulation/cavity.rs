@@ -4,7 +4,8 @@
 //! counter-clockwise. Nothing changes before [`Triangulation::commit`]: whether the point would
 //! encroach a subsegment, or must not be committed at all, is read off the boundary.
 
-use super::{Edge, Triangulation, next, previous};
+use super::{Edge, Triangulation};
+use crate::corners::{next, previous};
 use crate::predicates::{self, Relative};
 
 /// Why a point is not committed: rounding has the last word there (ALGORITHM §9).

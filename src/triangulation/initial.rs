@@ -5,6 +5,7 @@ use spade::{
 };
 
 use super::{Edge, Triangle};
+use crate::corners::previous;
 use crate::domain::Domain;
 use crate::predicates::{Side, side};
 
@@ -121,7 +122,7 @@ fn triangles_of(cdt: &Cdt) -> (Vec<Triangle>, Vec<u32>) {
             };
             let own = inner.adjacent_edges().map(|edge| edge.fix());
             let place = own.iter().position(|&edge| edge == twin.fix()).unwrap_or(0);
-            Edge::new(slots[inner.index()], super::previous(place))
+            Edge::new(slots[inner.index()], previous(place))
                 .constrained_if(twin.is_constraint_edge())
         });
         triangles[slots[face.index()] as usize] = Some(Triangle { vertices, neighbors });

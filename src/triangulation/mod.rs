@@ -11,6 +11,8 @@ mod subsegments;
 pub use cavity::{Cavity, Rejected};
 use subsegments::Anchors;
 
+use crate::corners::{next, previous};
+
 /// A triangle's edge, with whether it may be crossed:
 /// `triangle << 3 | constrained << 2 | edge`; edge `i` is opposite vertex `i`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -61,20 +63,6 @@ impl Edge {
     pub fn index(self) -> usize {
         (self.0 & 3) as usize
     }
-}
-
-/// The next of three.
-#[inline]
-#[must_use]
-pub const fn next(i: usize) -> usize {
-    if i == 2 { 0 } else { i + 1 }
-}
-
-/// The previous of three.
-#[inline]
-#[must_use]
-pub const fn previous(i: usize) -> usize {
-    if i == 0 { 2 } else { i - 1 }
 }
 
 /// A triangle: its vertices counter-clockwise, and what is behind the edge opposite each.

@@ -1,6 +1,7 @@
 //! Finding a subsegment by its end points, without a map.
 
-use super::{Cavity, Edge, Triangulation, next, previous};
+use super::{Cavity, Edge, Triangulation};
+use crate::corners::{next, previous};
 
 /// For each vertex on a subsegment, one triangle that has a constrained edge at it.
 #[derive(Debug, Clone, Default)]
