@@ -124,7 +124,10 @@ pub fn certify_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
     let [g4, g5, g6] = [Guarantee::Conforming, Guarantee::SmallAngles, Guarantee::SmallestAngle]
         .map(|guarantee| Judgement::not_judged(guarantee, REASON));
     let mut certificate = conclude(&complex, promise, vec![g1, g2, g3, g4, g5, g6, g7], angles);
-    certificate.not_judged = vec!["whether the mesh covers what it should (it needs the outline)"];
+    certificate.not_judged = vec![
+        "whether the mesh covers what it should (it needs the outline)",
+        "whether the outline excuses the smallest angles (it needs the outline)",
+    ];
     certificate
 }
 

@@ -449,15 +449,7 @@ impl fmt::Display for Certificate {
         for judgement in &self.judgements[..4] {
             line(f, judgement.guarantee.name(), judgement, &self.summary(judgement.guarantee))?;
         }
-        let angles = &self.judgements[4..];
-        if angles.iter().all(|judgement| judgement.faults == 0) {
-            let limited = angles.iter().find(|judgement| judgement.limited > 0);
-            line(f, "angles", limited.unwrap_or(&angles[0]), &self.angles())?;
-        } else {
-            for judgement in angles.iter().filter(|judgement| judgement.faults > 0) {
-                line(f, judgement.guarantee.name(), judgement, "")?;
-            }
-        }
+        self.write_angles(f)?;
         if !self.apexes.is_empty() && self.limited() {
             let apex = &self.apexes[0];
             write!(
@@ -482,6 +474,19 @@ impl fmt::Display for Certificate {
 }
 
 impl Certificate {
+    /// One line for all that holds, or one for each guarantee that fails.
+    fn write_angles(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let angles = &self.judgements[4..];
+        let mut failing = angles.iter().filter(|judgement| judgement.faults > 0).peekable();
+        if failing.peek().is_some() {
+            return failing
+                .try_for_each(|judgement| line(f, judgement.guarantee.name(), judgement, ""));
+        }
+        let limited = angles.iter().find(|judgement| judgement.limited > 0);
+        // The last one, the largest angle, is judged without an outline too.
+        line(f, "angles", limited.unwrap_or(&angles[2]), &self.angles())
+    }
+
     fn summary(&self, guarantee: Guarantee) -> String {
         match guarantee {
             Guarantee::Complex => format!(
@@ -538,13 +543,11 @@ impl fmt::Display for Fault {
         let triangle = self.triangle.map_or(0, |t| u64::from(t) + 1);
         let point = self.point.map_or(0, |v| u64::from(v) + 1);
         let [v, w] = self.edge.map_or([0, 0], |edge| edge.map(|v| u64::from(v) + 1));
-        let segment = self.segment.map_or_else(String::new, |s| {
-            if s.index == u32::MAX {
-                "an edge of the convex hull".to_owned()
-            } else {
-                format!("segment {}", s.number)
-            }
-        });
+        let segment = match self.segment {
+            Some(Numbered { index: u32::MAX, .. }) => "the convex hull".to_owned(),
+            Some(Numbered { number, .. }) => format!("segment {number}"),
+            None => "the boundary".to_owned(),
+        };
         let angle = degrees(self.angle.unwrap_or(0.0));
         match &self.kind {
             NotFinite => {
