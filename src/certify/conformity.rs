@@ -25,6 +25,8 @@ pub(super) struct Chains {
     pub(super) inside: Vec<u32>,
     /// The point of the mesh that each point of the outline is, or [`NONE`].
     pub(super) vertex: Vec<u32>,
+    /// The point of the outline that each point of the mesh is, or [`NONE`].
+    pub(super) input: Vec<u32>,
     /// Whether there is no outline.
     alone: bool,
 }
@@ -50,6 +52,7 @@ impl Chains {
             role: vec![NONE; complex.twin.len()],
             inside: vec![NONE; complex.points.len()],
             vertex: Vec::new(),
+            input: vec![NONE; complex.points.len()],
             alone: false,
         }
     }
@@ -87,12 +90,11 @@ pub(super) fn judge(outline: &Outline, complex: &Complex, g4: &mut Judgement) ->
     let mut chains = Chains::nothing(complex, outline.segments.len());
     chains.vertex = find_points(outline, complex, g4);
     let list = List::new(complex, &mut chains, g4);
-    let mut is_input = vec![false; complex.points.len()];
-    for &v in chains.vertex.iter().filter(|&&v| v != NONE) {
-        is_input[v as usize] = true;
+    for (input, &v) in (0..).zip(&chains.vertex).filter(|(_, v)| **v != NONE) {
+        chains.input[v as usize] = input;
     }
     let tags = Tags::new(1, &outline.pslg.groups, &complex.mesh.groups);
-    let mut walk = Walk { outline, complex, chains, list, is_input, tags, g4 };
+    let mut walk = Walk { outline, complex, chains, list, tags, g4 };
     let meshed: Vec<u32> =
         (0..outline.segments.len() as u32).filter(|&s| outline.is_meshed(s)).collect();
     // Whole chains first: a broken one may then only take what is left over.
@@ -190,8 +192,6 @@ struct Walk<'w, 'a> {
     complex: &'w Complex<'a>,
     chains: Chains,
     list: List,
-    /// By point of the mesh: whether it is a point of the outline.
-    is_input: Vec<bool>,
     tags: Tags<'w>,
     g4: &'w mut Judgement,
 }
@@ -295,14 +295,18 @@ impl Walk<'_, '_> {
 
     /// Whether the edge from `v` to `w` goes forward along the segment and ends on it.
     fn leads(&self, s: u32, v: u32, w: u32, to: u32, way: usize) -> bool {
-        self.is_forward(s, v, w, way)
-            && (w == to || (!self.is_input[w as usize] && self.is_on(s, w)))
+        self.is_forward(s, v, w, way) && (w == to || (!self.is_input(w) && self.is_on(s, w)))
     }
 
     fn is_forward(&self, s: u32, v: u32, w: u32, way: usize) -> bool {
         let [a, b] = self.line(s);
         let order = exact::dot(a, b, self.complex.at(v), self.complex.at(w));
         order == if way == 0 { Ordering::Greater } else { Ordering::Less }
+    }
+
+    /// Whether a point of the mesh is a point of the outline.
+    fn is_input(&self, v: u32) -> bool {
+        self.chains.input[v as usize] != NONE
     }
 
     /// Whether a point lies within 0.51 ulp of a segment's line.
@@ -370,7 +374,7 @@ impl Walk<'_, '_> {
             if dot > 0.0 { cross.abs() / dot } else { f64::INFINITY }
         };
         let candidates = self.open_edges(v).filter(|&(e, w)| {
-            let free = w == to || !self.is_input[w as usize];
+            let free = w == to || !self.is_input(w);
             free && (self.is_said_to_be(e, s)
                 || self.is_on(s, w)
                 || (off(w) < 0.5 && !self.says_segments()))
@@ -423,7 +427,7 @@ impl Walk<'_, '_> {
             }
         }
         for &v in self.chains.points[s as usize].iter().filter(|&&v| v != NONE) {
-            if !self.is_input[v as usize] {
+            if !self.is_input(v) {
                 self.chains.inside[v as usize] = s;
             }
         }

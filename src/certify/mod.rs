@@ -27,8 +27,8 @@ mod tags;
 mod verdict;
 
 pub use verdict::{
-    Apex, Certificate, ExcusedAngle, Fault, FaultKind, Guarantee, Judgement, Numbered, Promise,
-    Verdict,
+    Apex, Certificate, ExcusedAngle, Fault, FaultKind, Guarantee, Judgement, Narrow, NarrowTo,
+    Numbered, Promise, Verdict,
 };
 
 use angles::{AngleJudgements, Angles, Laid};
@@ -97,6 +97,7 @@ pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
     certificate.theta_star = Some(theta_star);
     certificate.limited_triangles = complex.triangles.iter().filter(|t| floor.covers(t)).count();
     certificate.apexes = floor.apexes;
+    certificate.narrows = floor.narrows;
     certificate.not_judged = missing_tags(mesh);
     certificate
 }
@@ -148,6 +149,7 @@ fn conclude(
         theta_star: None,
         excused: angles.excused,
         apexes: Vec::new(),
+        narrows: Vec::new(),
         limited_triangles: 0,
         not_judged: Vec::new(),
     }

@@ -4,6 +4,9 @@
 //! distance d from x with θ²·d < 4·ulp(M) or θ·d < φ = 2^12·ulp(M). What lies in that stretch of
 //! the two, or between them, follows from the outline alone; the triangles with a point there are
 //! not promised G3 and G5–G7.
+//!
+//! Neither are those at two features that do not adjoin and are less than 2φ apart: between them
+//! the theorem asks for edges that are shorter than φ, which are refused.
 
 use std::cmp::Ordering;
 
@@ -11,19 +14,21 @@ use super::complex::{Complex, NONE};
 use super::conformity::Chains;
 use super::exact;
 use super::outline::{Outline, distance};
-use super::verdict::Apex;
+use super::verdict::{Apex, Narrow, NarrowTo};
 
 /// The points of the mesh that lie where doubles end.
 pub(super) struct Floor {
     limited: Vec<bool>,
     /// The apexes that have such a point.
     pub(super) apexes: Vec<Apex>,
+    /// The features that are too close to each other.
+    pub(super) narrows: Vec<Narrow>,
 }
 
 impl Floor {
     /// No point of the mesh is taken to be there: nothing is known of an outline.
     pub(super) fn none(complex: &Complex) -> Self {
-        Self { limited: vec![false; complex.points.len()], apexes: Vec::new() }
+        Self { limited: vec![false; complex.points.len()], apexes: Vec::new(), narrows: Vec::new() }
     }
 
     /// The points that lie in the stretch of two segments of the outline.
@@ -48,7 +53,57 @@ impl Floor {
                 }
             }
         }
+        floor.find_narrows(outline, complex, chains);
         floor
+    }
+
+    /// Finds what is too close: a point of the outline opposite a piece of a segment, or beside
+    /// another such point.
+    fn find_narrows(&mut self, outline: &Outline, complex: &Complex, chains: &Chains) {
+        let closest = 2.0 * FLOOR * complex.frame.ulp;
+        for h in 0..complex.twin.len() as u32 {
+            let (v, w, apex) = (complex.origin(h), complex.target(h), complex.apex(h));
+            let [from, to, across] = [v, w, apex].map(|v| chains.input[v as usize]);
+            if let Some(s) = chains.segment(h)
+                && across != NONE
+            {
+                let ends = outline.segments[s as usize].ends;
+                let [a, b] = ends.map(|v| outline.points[v as usize]);
+                let gap = exact::cross(a, b, complex.at(apex)).to_f64().abs() / distance(a, b);
+                if gap < closest && !ends.contains(&across) {
+                    let to = NarrowTo::Segment(outline.segment_name(s));
+                    self.mark_narrow(complex, apex, narrow(outline, complex, across, to, gap));
+                }
+            }
+            if from < to && to != NONE {
+                let gap = distance(complex.at(v), complex.at(w));
+                if gap < closest {
+                    let to = NarrowTo::Point(outline.point_name(to));
+                    self.mark_narrow(complex, v, narrow(outline, complex, from, to, gap));
+                }
+            }
+        }
+    }
+
+    /// Marks what is within 4φ of `v`: as far as edges may be refused.
+    fn mark_narrow(&mut self, complex: &Complex, v: u32, narrow: Narrow) {
+        let reach = 4.0 * FLOOR * complex.frame.ulp;
+        let mut found = vec![v];
+        let mut i = 0;
+        while i < found.len() {
+            for w in complex.around(found[i]) {
+                if distance(complex.at(v), complex.at(w)) < reach && !found.contains(&w) {
+                    found.push(w);
+                }
+            }
+            i += 1;
+        }
+        for w in found {
+            self.limited[w as usize] = true;
+        }
+        if !self.narrows.contains(&narrow) {
+            self.narrows.push(narrow);
+        }
     }
 
     /// Whether a triangle has a point in a stretch.
@@ -112,9 +167,21 @@ struct Stretch {
     reach: f64,
 }
 
+/// φ in ulp(M): nothing shorter is made.
+const FLOOR: f64 = 4096.0;
+
+fn narrow(outline: &Outline, complex: &Complex, point: u32, to: NarrowTo, gap: f64) -> Narrow {
+    Narrow {
+        point: outline.point_name(point),
+        to,
+        gap: complex.frame.length_outside(gap),
+        place: outline.pslg.points[point as usize],
+    }
+}
+
 /// The distance from the apex at which θ²·d ≥ 4·ulp(M) and θ·d ≥ 2^12·ulp(M).
 fn reach(theta: f64, ulp: f64) -> f64 {
-    (4.0 * ulp / (theta * theta)).max(4096.0 * ulp / theta)
+    (4.0 * ulp / (theta * theta)).max(FLOOR * ulp / theta)
 }
 
 /// The chain of a half-edge of the outline, from the point that it leaves.

@@ -268,6 +268,50 @@ fn a_power_of_two_changes_no_verdict() {
     }
 }
 
+#[test]
+fn a_point_that_nearly_touches_a_segment_limits_its_surroundings_and_no_more() {
+    let gap = 1000.0 * f64::EPSILON / 2.0;
+    let mut pslg = polygon(&[[0.0, 0.0], [0.9, 0.0], [0.9, 0.9], [0.0, 0.9]]);
+    pslg.points.push([0.5, gap]);
+    let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+    let certificate = judged(&pslg, &mesh_of(&pslg, &[], &triangles));
+    assert_eq!(certificate.narrows[0].to, NarrowTo::Segment(Numbered { index: 0, number: 0 }));
+    assert!((certificate.narrows[0].gap / gap - 1.0).abs() < 1e-12);
+    assert_eq!(certificate.limited_triangles, 4);
+    assert!(certificate.holds() && certificate.limited(), "{certificate}");
+    // Ten times as far away doubles are fine enough.
+    pslg.points[4][1] = 10.0 * gap;
+    let certificate = judged(&pslg, &mesh_of(&pslg, &[], &triangles));
+    assert!(certificate.narrows.is_empty() && certificate.limited_triangles == 0);
+    assert_eq!(certificate.verdict(Guarantee::Unencroached), Verdict::Fails);
+}
+
+/// Two segments of length 1 that meet at 2^-30 rad, cut at `d`; the triangle between the cuts and
+/// a third point is flat.
+fn needle(d: f64) -> Certificate {
+    let slope = 2_f64.powi(-30);
+    let pslg = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, slope]]);
+    let mut mesh = mesh_of(&pslg, &[[d, 0.0], [d, d * slope]], &[[0, 3, 4], [3, 1, 4], [1, 2, 4]]);
+    mesh.edges = vec![[0, 3], [3, 1], [1, 2], [2, 4], [4, 0]];
+    mesh.edge_tags = vec![0; 5];
+    judged(&pslg, &mesh)
+}
+
+#[test]
+fn an_apex_limits_as_far_as_the_bound_says() {
+    // θ·d < 2^12·ulp(1) reaches to 2^-10, θ²·d < 4·ulp(1) to 2^10.
+    let certificate = needle(0.5);
+    assert_eq!(certificate.apexes.len(), 1);
+    let apex = certificate.apexes[0];
+    assert_eq!(apex.segments.map(|segment| segment.index), [0, 2]);
+    assert!((apex.reach * 2_f64.powi(-10) - 1.0).abs() < 1e-9);
+    assert!(certificate.holds() && certificate.limited(), "{certificate}");
+    // At 2^-20 rad the reach is 2^-20·2^12 and no cut lies in it.
+    let pslg = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 2_f64.powi(-20)]]);
+    let certificate = judged(&pslg, &mesh_of(&pslg, &[], &[[0, 1, 2]]));
+    assert!(certificate.apexes.is_empty() && !certificate.holds());
+}
+
 /// An outline or a mesh of numbers that may mean nothing at all.
 fn garbage() -> impl Strategy<Value = (Pslg, Mesh)> {
     let coordinate = prop_oneof![

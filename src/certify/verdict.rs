@@ -386,6 +386,29 @@ pub struct Apex {
     pub place: [f64; 2],
 }
 
+/// Two features of the outline that do not adjoin, too close for doubles: less than
+/// 2^13·ulp(M) apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Narrow {
+    /// A point of the outline.
+    pub point: Numbered,
+    /// What it is close to.
+    pub to: NarrowTo,
+    /// The distance of the two.
+    pub gap: f64,
+    /// Where the point is.
+    pub place: [f64; 2],
+}
+
+/// What a point of an outline is close to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NarrowTo {
+    /// Another point.
+    Point(Numbered),
+    /// A segment, not its own.
+    Segment(Numbered),
+}
+
 /// What was found about a mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Certificate {
@@ -410,7 +433,9 @@ pub struct Certificate {
     pub excused: Vec<ExcusedAngle>,
     /// The apexes in whose stretch a point of the mesh lies.
     pub apexes: Vec<Apex>,
-    /// How many triangles have a point in such a stretch.
+    /// The features that are too close to each other.
+    pub narrows: Vec<Narrow>,
+    /// How many triangles have a point in such a stretch, or at such features.
     pub limited_triangles: usize,
     /// What else could not be judged, e.g. tags of a mesh that carries none.
     pub not_judged: Vec<&'static str>,
@@ -450,21 +475,8 @@ impl fmt::Display for Certificate {
             line(f, judgement.guarantee.name(), judgement, &self.summary(judgement.guarantee))?;
         }
         self.write_angles(f)?;
-        if !self.apexes.is_empty() && self.limited() {
-            let apex = &self.apexes[0];
-            write!(
-                f,
-                "precision     {} triangles near point {}, where segments {} and {} meet at {}",
-                grouped(self.limited_triangles),
-                apex.point.number,
-                apex.segments[0].number,
-                apex.segments[1].number,
-                degrees(apex.theta),
-            )?;
-            match self.apexes.len() - 1 {
-                0 => writeln!(f)?,
-                more => writeln!(f, ", and {more} more such places")?,
-            }
+        if self.limited() {
+            self.write_limits(f)?;
         }
         for reason in &self.not_judged {
             writeln!(f, "not judged    {reason}")?;
@@ -485,6 +497,33 @@ impl Certificate {
         let limited = angles.iter().find(|judgement| judgement.limited > 0);
         // The last one, the largest angle, is judged without an outline too.
         line(f, "angles", limited.unwrap_or(&angles[2]), &self.angles())
+    }
+
+    /// Where doubles end: the first apex and the first narrow place, and how many more there are.
+    fn write_limits(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let more = |count: usize| match count - 1 {
+            0 => String::new(),
+            more => format!(", and {} more such places", grouped(more)),
+        };
+        if let Some(apex) = self.apexes.first() {
+            let [first, second] = apex.segments.map(of_outline);
+            let (point, theta) = (apex.point.number, degrees(apex.theta));
+            let more = more(self.apexes.len());
+            writeln!(
+                f,
+                "precision     {first} and {second} meet at {theta} at point {point}{more}"
+            )?;
+        }
+        if let Some(narrow) = self.narrows.first() {
+            let other = match narrow.to {
+                NarrowTo::Point(point) => format!("point {}", point.number),
+                NarrowTo::Segment(segment) => of_outline(segment),
+            };
+            let (point, gap, more) =
+                (narrow.point.number, Significant(narrow.gap), more(self.narrows.len()));
+            writeln!(f, "precision     point {point} is {gap:.3} from {other}{more}")?;
+        }
+        writeln!(f, "precision     {} triangles are there", grouped(self.limited_triangles))
     }
 
     fn summary(&self, guarantee: Guarantee) -> String {
@@ -543,11 +582,7 @@ impl fmt::Display for Fault {
         let triangle = self.triangle.map_or(0, |t| u64::from(t) + 1);
         let point = self.point.map_or(0, |v| u64::from(v) + 1);
         let [v, w] = self.edge.map_or([0, 0], |edge| edge.map(|v| u64::from(v) + 1));
-        let segment = match self.segment {
-            Some(Numbered { index: u32::MAX, .. }) => "the convex hull".to_owned(),
-            Some(Numbered { number, .. }) => format!("segment {number}"),
-            None => "the boundary".to_owned(),
-        };
+        let segment = self.segment.map_or_else(|| "the boundary".to_owned(), of_outline);
         let angle = degrees(self.angle.unwrap_or(0.0));
         match &self.kind {
             NotFinite => {
@@ -633,8 +668,9 @@ impl fmt::Display for Fault {
             BelowLemma7 { bound } => {
                 write!(
                     f,
-                    "triangle {triangle} has an angle of {angle} at point {point}, below the {} of Lemma 7",
-                    degrees(*bound)
+                    "triangle {triangle} has an angle of {angle} at point {point}, below the {} of Lemma 7 by {:.2} of it",
+                    degrees(*bound),
+                    Significant(1.0 - self.angle.unwrap_or(0.0) / bound)
                 )?;
             }
             TooSmall { bound } => write!(
@@ -649,6 +685,14 @@ impl fmt::Display for Fault {
             )?,
         }
         write!(f, " near ({:.6}, {:.6})", Significant(self.place[0]), Significant(self.place[1]))
+    }
+}
+
+/// A segment, by the number that its file gives it.
+fn of_outline(segment: Numbered) -> String {
+    match segment.index {
+        u32::MAX => "the convex hull".to_owned(),
+        _ => format!("segment {}", segment.number),
     }
 }
 
