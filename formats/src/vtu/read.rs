@@ -358,7 +358,7 @@ fn points(arrays: &Arrays) -> Result<Vec<[f64; 2]>, Fault> {
     let missing = |what: &str| Fault::Missing { what: what.to_owned() };
     let count = arrays.header.points.ok_or_else(|| missing("NumberOfPoints"))?;
     let array = arrays.of(Section::Points).next().ok_or_else(|| missing("the array of points"))?;
-    let Values::Real(numbers) = arrays.values(array, count.checked_mul(3))? else {
+    let Values::Real(numbers) = arrays.values(array, Some(count.saturating_mul(3)))? else {
         return Err(arrays.wrong_type(array, "Float64"));
     };
     if count >= u64::from(u32::MAX) {
@@ -451,7 +451,7 @@ fn point_data(arrays: &Arrays, mesh: &mut Mesh) -> Result<(), Fault> {
             }
             MARKER => mesh.point_markers = tags(&arrays.whole(array, Some(count))?, MARKER)?,
             _ => {
-                let values = arrays.values(array, count.checked_mul(array.components))?;
+                let values = arrays.values(array, Some(count.saturating_mul(array.components)))?;
                 mesh.point_data.push(data(array, values));
             }
         }
@@ -507,7 +507,7 @@ fn cell_data(
     }
     for array in arrays.of(Section::Cell) {
         if ![PHYSICAL, TAG, SEGMENT].contains(&array.name.as_str()) {
-            let total = (cells.count as u64).checked_mul(array.components);
+            let total = Some((cells.count as u64).saturating_mul(array.components));
             let values = of_triangles(arrays.values(array, total)?, array, cells);
             mesh.triangle_data.push(data(array, values));
         }
@@ -615,6 +615,9 @@ mod tests {
         assert_eq!(other, "a.vtu: array `types` holds 2 numbers, expected 18446744073709551615");
         let other = error("NumberOfCells=\"2\"", "NumberOfCells=\"-2\"");
         assert_eq!(other, "a.vtu: line 9: expected a number in NumberOfCells, found `-2`");
+        let many = "NumberOfComponents=\"18446744073709551615\"";
+        let other = error("Name=\"marker\"", &format!("Name=\"depth\" {many}"));
+        assert_eq!(other, "a.vtu: array `depth` holds 3 numbers, expected 18446744073709551615");
         let other = error("Name=\"connectivity\"", "Name=\"corners\"");
         assert_eq!(other, "a.vtu: array `connectivity` is missing");
         let other = error("offset=\"0\"", "offset=\"18446744073709551615\"");
