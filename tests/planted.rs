@@ -1,11 +1,12 @@
 //! Faults planted in good meshes are found, under the right guarantee and in the right place.
 //!
-//! The meshes are made here by hand: grids whose inner points are shaken, with a hole, an
-//! interface, a slit and a small angle. Every random choice comes from [`SEED`].
+//! Three meshes are made here by hand, independent of the refinement: grids whose inner points are
+//! shaken, with a hole, an interface and a slit, and a small angle. One is Lake Superior's, as
+//! meshwright makes it. Every random choice comes from [`SEED`].
 
 use meshwright::certify::{Fault, FaultKind, Guarantee, Promise, certify};
-use meshwright::formats::{Group, Region};
-use meshwright::{Mesh, Pslg};
+use meshwright::formats::{Group, Region, poly};
+use meshwright::{Mesh, Parameters, Pslg};
 
 /// Printed with every failure.
 const SEED: u64 = 0x5eed_0003;
@@ -462,8 +463,17 @@ fn in_circle(a: Point, b: Point, c: Point, d: Point) -> f64 {
     square(a) * cross(b, c) + square(b) * cross(c, a) + square(c) * cross(a, b)
 }
 
-fn subjects(random: &mut Random) -> [Subject; 3] {
-    [plate(random), wedge(), block(random)]
+fn subjects(random: &mut Random) -> [Subject; 4] {
+    [plate(random), wedge(), block(random), lake()]
+}
+
+/// Lake Superior, refined.
+fn lake() -> Subject {
+    let text = include_bytes!("../examples/lake_superior.poly");
+    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+    let (pslg, _) = poly::read(text, "lake_superior.poly", alone).unwrap();
+    let mesh = meshwright::mesh(&pslg, &Parameters::default()).unwrap().mesh;
+    Subject { name: "lake", pslg, mesh }
 }
 
 /// A plate of 12 × 7 squares with a square hole, an interface at x = 6 and a slit on the left.
