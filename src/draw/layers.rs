@@ -62,14 +62,17 @@ fn lines_by_tag(lines: &Lines, frame: &Frame, page: &mut String, legend: &mut Le
         .collect();
     tagged.sort_by_key(|&(tag, _)| tag); // stable: within a tag the order of the file
     let width = line_width(tagged.len(), frame);
-    let mut rank = 0;
+    // A tag keeps its colour where a zoom box hides other ones.
+    let mut tags: Vec<Tag> = lines.tags.iter().copied().filter(|&tag| tag != 0).collect();
+    tags.sort_unstable();
+    tags.dedup();
     for group in tagged.chunk_by(|a, b| a.0 == b.0) {
         let tag = group[0].0;
         let (colour, name) = if tag == 0 {
             (palette::UNTAGGED, lines.untagged.to_string())
         } else {
-            rank += 1;
-            (palette::boundary(rank - 1), group_name(lines.groups, 1, tag))
+            let rank = tags.binary_search(&tag).unwrap_or(0);
+            (palette::boundary(rank), group_name(lines.groups, 1, tag))
         };
         let edges: Vec<[u32; 2]> = group.iter().map(|&(_, edge)| edge).collect();
         stroke(&edges, lines.points, frame, colour, width, page);
