@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use meshwright::certify;
+use meshwright::certify::{self, Certificate};
 use meshwright::statistics::Statistics;
 
 use super::failure::{Exit, Failure};
@@ -11,6 +11,7 @@ use super::format::{Format, listed};
 use super::input::{self, Content};
 use super::json;
 use super::options::{PromiseOptions, Scale};
+use super::summary::excused_text;
 use super::voice::{Voice, print};
 
 /// What `check` is asked.
@@ -56,6 +57,26 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         print(&json::check(&read, &Statistics::of(mesh), &certificate))?;
     } else if !voice.quiet {
         print(certificate.to_string().as_bytes())?;
+        if voice.verbose {
+            print(details(&certificate).as_bytes())?;
+        }
     }
     Ok(if certificate.holds() { Exit::Done } else { Exit::Promise })
+}
+
+/// Every fault that the certificate keeps where there are several, and every excused angle.
+fn details(certificate: &Certificate) -> String {
+    let mut text = String::new();
+    for judgement in &certificate.judgements {
+        let name = judgement.guarantee.name();
+        for (kept, word) in [(&judgement.first, "FAILS"), (&judgement.first_limited, "limited")] {
+            for fault in kept.iter().skip(1) {
+                text += &format!("{name:<13} {word:<8} {fault}\n");
+            }
+        }
+    }
+    for excused in &certificate.excused {
+        text += &format!("{:<13} {:<8} {}\n", "angles", "excused", excused_text(excused));
+    }
+    text
 }

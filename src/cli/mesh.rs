@@ -19,7 +19,7 @@ use super::output::{Pending, STDOUT, Written, check_places};
 use super::progress::ProgressLine;
 use super::summary::Summary;
 use super::voice::{Voice, print};
-use super::wording::count;
+use super::wording::{count, grouped};
 
 /// More notes of writers than this are counted, not shown, unless asked for.
 const MOST_NOTES: usize = 6;
@@ -215,23 +215,27 @@ impl Notes {
     }
 }
 
+/// Warnings one by one; what only tells, in one line for the files that it is about.
 fn say_notes(notes: Notes, voice: &Voice) {
-    let mut left = if voice.verbose { usize::MAX } else { MOST_NOTES };
-    let mut untold = 0;
-    for (text, is_warning) in &notes.texts {
-        let files = notes.files[text].join(", ");
-        if *is_warning {
+    let mut told: Vec<(String, Vec<String>)> = Vec::new();
+    for (text, is_warning) in notes.texts {
+        let files = notes.files[&text].join(", ");
+        if is_warning {
             voice.warn(format!("{files}: {text}"));
-        } else if left > 0 {
-            left -= 1;
-            voice.note(format!("{files}: {text}"));
-        } else {
-            untold += 1;
+            continue;
+        }
+        match told.last_mut().filter(|(same, _)| *same == files) {
+            Some((_, texts)) => texts.push(text),
+            None => told.push((files, vec![text])),
         }
     }
-    if untold > 0 {
-        voice
-            .note(format!("and {} of this kind (--verbose tells all)", count(untold, "more note")));
+    for (files, mut texts) in told {
+        if texts.len() > MOST_NOTES && !voice.verbose {
+            let more = texts.len() - MOST_NOTES;
+            texts.truncate(MOST_NOTES);
+            texts.push(format!("and {} more (--verbose tells all)", grouped(more as u64)));
+        }
+        voice.note(format!("{files}: {}", texts.join("; ")));
     }
 }
 

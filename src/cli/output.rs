@@ -5,7 +5,7 @@
 //! removed on every way out, an interrupt included.
 
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
@@ -25,6 +25,9 @@ pub fn remove_half_written_on_interrupt() {
         let files = HALF_WRITTEN.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
         for file in files.iter() {
             let _ = fs::remove_file(file);
+        }
+        if io::stderr().is_terminal() {
+            let _ = write!(io::stderr(), "\r\x1b[2K"); // the line that moves
         }
         std::process::exit(Exit::Interrupted as i32);
     });

@@ -50,7 +50,7 @@ impl<'a> Summary<'a> {
         say(voice, "angles", &self.angles(voice.verbose));
         if voice.verbose {
             let excused = &self.outcome.certificate.excused;
-            excused.iter().for_each(|excused| say(voice, "", &self.excused(excused)));
+            excused.iter().for_each(|excused| say(voice, "", &excused_text(excused)));
         }
         say(voice, "groups", &groups_text(&statistics.groups, "edge"));
         self.say_certificate(voice);
@@ -105,18 +105,6 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// `triangle 12: 19.2° between segments 417 and 418, which meet at 5.85°`
-    fn excused(&self, excused: &ExcusedAngle) -> String {
-        format!(
-            "triangle {}: {} between segments {} and {}, which meet at {}",
-            u64::from(excused.triangle) + 1,
-            angle(excused.angle),
-            excused.segments[0].number,
-            excused.segments[1].number,
-            angle(excused.theta)
-        )
-    }
-
     fn say_certificate(&self, voice: &Voice) {
         let certificate = &self.outcome.certificate;
         if !certificate.holds() {
@@ -137,6 +125,18 @@ impl<'a> Summary<'a> {
 
 fn say(voice: &Voice, label: &str, text: &str) {
     voice.say(&format!("{label:<9} {text}"));
+}
+
+/// `triangle 12: 19.2° between segments 417 and 418, which meet at 5.85°`
+pub fn excused_text(excused: &ExcusedAngle) -> String {
+    format!(
+        "triangle {}: {} between segments {} and {}, which meet at {}",
+        u64::from(excused.triangle) + 1,
+        angle(excused.angle),
+        excused.segments[0].number,
+        excused.segments[1].number,
+        angle(excused.theta)
+    )
 }
 
 /// `1 294 points, 1 294 segments, 16 holes`

@@ -195,6 +195,19 @@ fn a_planted_fault_is_found_and_named() {
 }
 
 #[test]
+fn verbose_check_lists_every_fault_and_excused_angle() {
+    let needle = "3 2\n1 0 0\n2 1 0\n3 1 0.02\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n";
+    let bench = Bench::with("verbose-check", "needle.poly", needle);
+    bench.succeeds("mesh needle.poly -o a.msh");
+    let said = bench.succeeds("check a.msh --input needle.poly -v").stdout;
+    assert!(said.contains("angles        excused  triangle "), "{said}");
+    bench.put("square.poly", SQUARE);
+    let ran = bench.run("check a.msh --input square.poly -v");
+    assert_eq!(ran.code, Some(4));
+    assert!(ran.stdout.matches("conforming    FAILS").count() > 1, "{}", ran.stdout);
+}
+
+#[test]
 fn without_the_outline_check_says_what_it_did_not_judge() {
     let bench = Bench::with("alone", "two.msh", TWO);
     let said = bench.succeeds("check two.msh").stdout;
