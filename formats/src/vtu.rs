@@ -25,10 +25,13 @@
 //!
 //! [`Provenance`]: crate::Provenance
 
+mod fault;
+mod header;
 mod read;
 mod write;
 
-pub use read::{Fault, ReadError, read};
+pub use fault::{Fault, ReadError};
+pub use read::read;
 pub use write::write;
 
 /// VTK's numbers of the kinds of cells.
