@@ -22,3 +22,8 @@ pub use parameters::{
     Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,
 };
 pub use run::{Error, InputAngle, Outcome, Warning, mesh, mesh_with};
+
+/// The README's example runs as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

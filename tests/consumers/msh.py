@@ -67,9 +67,13 @@ def read(path):
 
 
 def write(path, mesh):
-    """Writes a mesh; names are left out."""
-    with open(path, "w", encoding="ascii") as file:
-        print("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes", file=file)
+    """Writes a mesh."""
+    with open(path, "w", encoding="utf-8") as file:
+        print("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames", file=file)
+        print(len(mesh.names), file=file)
+        for (dim, tag), name in mesh.names.items():
+            print(dim, tag, f'"{name}"', file=file)
+        print("$EndPhysicalNames\n$Nodes", file=file)
         print(len(mesh.points), file=file)
         for number, (x, y) in enumerate(mesh.points, 1):
             print(number, repr(float(x)), repr(float(y)), 0, file=file)

@@ -1,7 +1,8 @@
 """Triangle's own meshes of Lake Superior before our judge."""
 
+import json
+
 import numpy as np
-import pytest
 import triangle
 
 import msh
@@ -21,20 +22,34 @@ def read_poly(path):
     return {"vertices": vertices, "segments": segments, "holes": holes}
 
 
-def verdicts(data, flags, folder):
-    """What `check` says of Triangle's mesh: verdict and rest of the line, by promise."""
+def judged(data, flags, folder, code):
+    """The certificate of Triangle's mesh, by the code of each guarantee; `check` exits as told."""
     outline = data / "paper" / "superior.poly"
     made = triangle.triangulate(read_poly(outline), flags + "e")
-    on_boundary = made["edge_markers"].ravel() != 0
-    edges = made["edges"][on_boundary]
-    mesh = msh.Mesh(
-        made["vertices"],
-        made["triangles"],
-        np.ones(len(made["triangles"]), int),
-        edges,
-        np.ones(len(edges), int),
-        {},
-    )
+    edges = made["edges"][made["edge_markers"].ravel() != 0]
+    # Our names for what has no number in the outline.
+    names = {(1, 1): "boundary", (2, 1): "region"}
+    tags = [np.ones(len(cells), int) for cells in (made["triangles"], edges)]
     path = folder / "triangle.msh"
+    mesh = msh.Mesh(made["vertices"], made["triangles"], tags[0], edges, tags[1], names)
     msh.write(path, mesh)
-    return path, outline
+    report = json.loads(run("check", path, "--input", outline, "--json", "--quiet", code=code))
+    assert report["mesh"]["points"] == len(mesh.points)
+    return {one["code"]: one for one in report["certificate"]["guarantees"]}
+
+
+def fails(guarantees):
+    return [code for code, one in guarantees.items() if one["verdict"] == "fails"]
+
+
+def test_without_D_subsegments_are_encroached(data, tmp_path):
+    guarantees = judged(data, "pq26.45", tmp_path, code=4)
+    assert fails(guarantees) == ["G3"], "Triangle protects smaller lenses than discs"
+    [first, *_] = guarantees["G3"]["first"]
+    assert "inside the diametral disc" in first["text"]
+
+
+def test_with_D_every_promise_is_kept(data, tmp_path):
+    guarantees = judged(data, "pq26.45D", tmp_path, code=0)
+    assert fails(guarantees) == []
+    assert all(one["verdict"] == "holds" for one in guarantees.values())
