@@ -14,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use meshwright::Pslg;
 
 use crate::families::boxed;
-use crate::measure::{clearance, is_clean};
+use crate::measure::{clearance, is_clean, smallest_angle};
 use crate::motion::Motion;
 use crate::plane::{Point, between, direction, distance, polar};
 use crate::random::Random;
@@ -69,6 +69,71 @@ pub fn hostile(seed: u64, index: u64) -> Pslg {
         let _ = (0..20).any(|_| wedge(&mut sketch, thinness, random));
     }
     moved(&sketch.finish(), random)
+}
+
+/// What a set of outlines is like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Census {
+    /// How many there are.
+    pub outlines: u64,
+    /// How many are not clean.
+    pub unclean: u64,
+    /// How many have disjoint features nearer than [`NEAREST`].
+    pub too_near: u64,
+    /// How many have θ* below 1°.
+    pub under_a_degree: u64,
+    /// How many have θ* below 1e-3°.
+    pub under_a_millidegree: u64,
+    /// How many have θ* below 1e-7 rad.
+    pub under_1e_7: u64,
+}
+
+impl Census {
+    /// Counts the hostile outlines of a seed with these numbers.
+    #[must_use]
+    pub fn of(seed: u64, numbers: std::ops::Range<u64>) -> Self {
+        let mut census = Self::default();
+        for outline in numbers.map(|number| hostile(seed, number)) {
+            let theta = smallest_angle(&outline).unwrap_or(PI);
+            census.outlines += 1;
+            census.unclean += u64::from(!is_clean(&outline));
+            census.too_near += u64::from(clearance(&outline) < NEAREST);
+            census.under_a_degree += u64::from(theta.to_degrees() < 1.0);
+            census.under_a_millidegree += u64::from(theta.to_degrees() < 1e-3);
+            census.under_1e_7 += u64::from(theta < 1e-7);
+        }
+        census
+    }
+
+    /// Whether all are clean and keep their distance, and enough of them have small angles: a
+    /// fifth below 1°, a twentieth below 1e-3°, a hundredth below 1e-7 rad (of fewer than 200 that is not asked).
+    #[must_use]
+    pub fn is_hostile_enough(&self) -> bool {
+        let sound = self.unclean == 0 && self.too_near == 0;
+        let few = self.outlines < 200;
+        sound
+            && (few
+                || self.under_a_degree * 5 >= self.outlines
+                    && self.under_a_millidegree * 20 >= self.outlines
+                    && self.under_1e_7 * 100 >= self.outlines)
+    }
+}
+
+impl std::fmt::Display for Census {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let percent = |part: u64| 100.0 * part as f64 / self.outlines.max(1) as f64;
+        write!(
+            f,
+            "{} outlines: {} not clean, {} with disjoint features too near; θ* < 1°: {:.1} %, \
+             < 1e-3°: {:.1} %, < 1e-7 rad: {:.1} %",
+            self.outlines,
+            self.unclean,
+            self.too_near,
+            percent(self.under_a_degree),
+            percent(self.under_a_millidegree),
+            percent(self.under_1e_7)
+        )
+    }
 }
 
 // Grounds.

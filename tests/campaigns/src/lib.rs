@@ -4,16 +4,21 @@
 //! - [`figures`]: outlines that a figure is known for: one wedge, 20 spokes, a turned grid.
 //! - [`families`]: random outlines, each family nasty in one way.
 //! - [`hostile`]: everything at once, clean by construction.
-//! - [`sketch`], [`plane`], [`measure`], [`motion`], [`poly`]: what those are made and judged with.
+//! - [`sketch`], [`plane`], [`measure`], [`motion`], [`poly`]: what those are made with.
+//! - [`corpus`]: the large collection of outlines, and what is known of each.
+//! - [`judge`], [`run`]: meshing, judging, and doing so two thousand times.
 
+pub mod corpus;
 pub mod families;
 pub mod figures;
 pub mod hostile;
+pub mod judge;
 pub mod measure;
 pub mod motion;
 pub mod plane;
 pub mod poly;
 mod random;
+pub mod run;
 pub mod sketch;
 
 pub use families::Family;

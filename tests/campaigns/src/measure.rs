@@ -1,15 +1,20 @@
 //! What an outline is like: its smallest angle, its nearest features, whether it is clean.
 
-use meshwright::Pslg;
+use meshwright::{Mesh, Pslg};
 
 use crate::plane::{
-    Point, angle, direction, distance_of_segments, distance_to_segment, legs_overlap, segments_meet,
+    Point, angle, cross, minus, direction, distance_of_segments, distance_to_segment, legs_overlap, segments_meet,
 };
 
 /// θ* as ALGORITHM defines it before it is cut off at π/3: the smallest angle (radians) between
 /// two segments with a common end, `None` where no two segments have one.
 #[must_use]
 pub fn smallest_angle(outline: &Pslg) -> Option<f64> {
+    angles_at_points(outline).into_iter().flatten().min_by(f64::total_cmp)
+}
+
+/// The smallest angle between two segments at each point.
+fn angles_at_points(outline: &Pslg) -> Vec<Option<f64>> {
     let points = of_size_one(outline);
     let mut legs: Vec<Vec<(f64, Point)>> = vec![Vec::new(); points.len()];
     for &[a, b] in &outline.segments {
@@ -17,15 +22,15 @@ pub fn smallest_angle(outline: &Pslg) -> Option<f64> {
         legs[a as usize].push((direction(p, q), q));
         legs[b as usize].push((direction(q, p), p));
     }
-    let mut smallest = None::<f64>;
-    for (x, legs) in points.iter().zip(&mut legs).filter(|(_, legs)| legs.len() > 1) {
-        legs.sort_by(|s, t| s.0.total_cmp(&t.0));
-        for (i, leg) in legs.iter().enumerate() {
-            let between = angle(leg.1, *x, legs[(i + 1) % legs.len()].1);
-            smallest = Some(smallest.map_or(between, |s| s.min(between)));
+    let smallest = |(x, mut legs): (&Point, Vec<(f64, Point)>)| {
+        if legs.len() < 2 {
+            return None;
         }
-    }
-    smallest
+        legs.sort_by(|s, t| s.0.total_cmp(&t.0));
+        let next = legs.iter().cycle().skip(1);
+        legs.iter().zip(next).map(|(s, t)| angle(s.1, *x, t.1)).min_by(f64::total_cmp)
+    };
+    points.iter().zip(legs).map(smallest).collect()
 }
 
 /// How near two disjoint features come: the least of (distance of two features) / (length of the
@@ -54,6 +59,28 @@ pub fn clearance(outline: &Pslg) -> f64 {
         }
     }
     least
+}
+
+/// The area of a mesh, from its triangles.
+#[must_use]
+pub fn area(mesh: &Mesh) -> f64 {
+    let corner = |v: u32| mesh.points[v as usize];
+    let triangle = |&[a, b, c]: &[u32; 3]| {
+        0.5 * cross(minus(corner(b), corner(a)), minus(corner(c), corner(a)))
+    };
+    mesh.triangles.iter().map(triangle).sum()
+}
+
+/// Where doubles end (ALGORITHM §9): each point with adjoining segments, and how far from it two of
+/// them at an angle θ are no longer told apart: θ²·d < 4·ulp(M) or θ·d < 2¹²·ulp(M), with M the
+/// largest output coordinate. The smallest θ at the point reaches farthest.
+#[must_use]
+pub fn resolution_limits(outline: &Pslg, output: &[Point]) -> Vec<(Point, f64)> {
+    let largest = output.iter().flatten().fold(0.0_f64, |m, c| m.max(c.abs()));
+    let ulp = libm::scalbn(1.0, libm::ilogb(largest) - 52);
+    let reach = |theta: f64| (4.0 * ulp / theta / theta).max(4096.0 * ulp / theta);
+    let apexes = outline.points.iter().zip(angles_at_points(outline));
+    apexes.filter_map(|(&x, theta)| Some((x, reach(theta?)))).collect()
 }
 
 /// Whether Assumption 1 (i)–(iii) holds, decided exactly, by looking at all pairs.

@@ -1,83 +1,132 @@
-//! Makes hostile outlines and meshes them.
+//! Makes hostile outlines, meshes them and judges every mesh.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Duration;
 
 use clap::Parser;
-use meshwright_campaigns::hostile::{NEAREST, hostile};
-use meshwright_campaigns::measure::{clearance, is_clean, smallest_angle};
+use meshwright::Parameters;
+use meshwright_campaigns::hostile::{Census, hostile};
+use meshwright_campaigns::judge::{Verdict, judge};
+use meshwright_campaigns::run::{Ending, FailureFolder, Timed, guarded, in_order};
 
-/// Makes hostile outlines: clean, with angles down to 1e-9 rad.
+/// Makes hostile outlines, meshes them and judges every mesh.
+///
+/// The outlines are clean, with angles down to 1e-9 rad, and disjoint features keep 1e-5 of their
+/// length apart. Each run must end within the time limit with a certificate that holds, or holds
+/// but for what lies within the precision limit of an apex.
+///
+/// Exit code 0: all of them did. 1: one did not, or the outlines were not hostile enough.
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Arguments {
-    /// Which outlines: each seed has its own.
+    /// Which outlines: each seed has its own
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// How many.
+    /// How many
     #[arg(long, default_value_t = 2000)]
     count: u64,
+    /// The number of the first one
+    #[arg(long, default_value_t = 0)]
+    first: u64,
+    /// No run may take longer, in seconds
+    #[arg(long, default_value_t = 10.0)]
+    limit: f64,
+    /// How many runs at once
+    #[arg(long, default_value_t = 2)]
+    threads: usize,
+    /// A folder for the outlines that fail, as .poly files
+    #[arg(long, value_name = "FOLDER")]
+    failures: Option<PathBuf>,
+    /// Print a line for every outline, not for the failing ones alone
+    #[arg(long)]
+    all: bool,
+    /// Only make the outlines and count what they are like
+    #[arg(long)]
+    census: bool,
 }
 
-fn main() -> ExitCode {
+fn main() -> std::io::Result<ExitCode> {
     let arguments = Arguments::parse();
-    let census = Census::of(arguments.seed, arguments.count);
-    println!("{census}");
-    if census.is_hostile_enough() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    let census = Census::of(arguments.seed, arguments.first..arguments.first + arguments.count);
+    println!("seed {}: {census}", arguments.seed);
+    let mut failed = u64::from(!census.is_hostile_enough());
+    if !arguments.census {
+        failed += run(&arguments)?;
+    }
+    Ok(if failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// What a set of outlines is like.
-struct Census {
-    outlines: u64,
-    unclean: u64,
-    too_near: u64,
-    under_a_degree: u64,
-    under_a_millidegree: u64,
-    under_1e_7: u64,
+/// What one run tells.
+struct Told {
+    verdict: Verdict,
+    points: usize,
 }
 
-impl Census {
-    fn of(seed: u64, count: u64) -> Self {
-        let mut census = Self {
-            outlines: count,
-            unclean: 0,
-            too_near: 0,
-            under_a_degree: 0,
-            under_a_millidegree: 0,
-            under_1e_7: 0,
-        };
-        for outline in (0..count).map(|index| hostile(seed, index)) {
-            let theta = smallest_angle(&outline).unwrap_or(f64::INFINITY);
-            census.unclean += u64::from(!is_clean(&outline));
-            census.too_near += u64::from(clearance(&outline) < NEAREST);
-            census.under_a_degree += u64::from(theta.to_degrees() < 1.0);
-            census.under_a_millidegree += u64::from(theta.to_degrees() < 1e-3);
-            census.under_1e_7 += u64::from(theta < 1e-7);
+/// Meshes the outlines and answers how many runs failed.
+fn run(arguments: &Arguments) -> std::io::Result<u64> {
+    let folder = FailureFolder::new(arguments.failures.clone())?;
+    let limit = Duration::from_secs_f64(arguments.limit);
+    let (mut kept, mut limited, mut failed, mut points) = (0_u64, 0_u64, 0_u64, 0_usize);
+    let mut slowest = (Duration::ZERO, 0);
+    let mut trouble = Ok(());
+    let mesh_one = |i: usize| {
+        let index = arguments.first + i as u64;
+        let seed = arguments.seed;
+        guarded(move || {
+            let judged = judge(&hostile(seed, index), &Parameters::default());
+            Told { points: judged.points(), verdict: judged.verdict }
+        })
+    };
+    println!("{:>6}  {:<8}  {:>8}  {:>8}", "number", "verdict", "points", "seconds");
+    in_order(arguments.count as usize, arguments.threads, mesh_one, |i, told| {
+        let index = arguments.first + i as u64;
+        slowest = slowest.max((told.time, index));
+        let seconds = told.time.as_secs_f64();
+        let (word, count, reasons) = judge_run(told, limit);
+        points += count;
+        match word {
+            "kept" => kept += 1,
+            "limited" => limited += 1,
+            _ => failed += 1,
         }
-        census
-    }
-
-    fn is_hostile_enough(&self) -> bool {
-        self.unclean == 0
-            && self.too_near == 0
-            && self.under_a_degree * 5 >= self.outlines
-            && self.under_a_millidegree * 20 >= self.outlines
-            && self.under_1e_7 * 100 >= self.outlines
-    }
+        if arguments.all || !reasons.is_empty() {
+            println!("{index:>6}  {word:<8}  {count:>8}  {seconds:>8.3}");
+        }
+        for reason in &reasons {
+            println!("        {}", reason.replace('\n', "\n        "));
+        }
+        if !reasons.is_empty() {
+            let name = format!("hostile_{}_{index}", arguments.seed);
+            let kept = folder.keep(&name, &hostile(arguments.seed, index), &reasons.join("\n"));
+            trouble = std::mem::replace(&mut trouble, Ok(())).and(kept);
+        }
+    });
+    println!(
+        "{} outlines: {kept} kept every promise, {limited} limited by precision, {failed} failed; \
+         {points} points; slowest: number {} in {:.3} s",
+        arguments.count,
+        slowest.1,
+        slowest.0.as_secs_f64()
+    );
+    trouble.map(|()| failed)
 }
 
-impl std::fmt::Display for Census {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let percent = |part: u64| 100.0 * part as f64 / self.outlines.max(1) as f64;
-        write!(
-            f,
-            "{} outlines: {} not clean, {} with disjoint features too near; θ* < 1°: {:.1} %, \
-             < 1e-3°: {:.1} %, < 1e-7 rad: {:.1} %",
-            self.outlines,
-            self.unclean,
-            self.too_near,
-            percent(self.under_a_degree),
-            percent(self.under_a_millidegree),
-            percent(self.under_1e_7)
-        )
+/// The word for a run, its points, and what is wrong with it.
+fn judge_run(told: Timed<Told>, limit: Duration) -> (&'static str, usize, Vec<String>) {
+    let late = (told.time > limit)
+        .then(|| format!("{:.1} s, where {:.1} s are allowed", told.time.as_secs_f64(), limit.as_secs_f64()));
+    match told.ending {
+        Ending::Hung => ("hung", 0, vec!["the run does not end".to_owned()]),
+        Ending::Panicked(message) => ("panic", 0, vec![message]),
+        Ending::Done(Told { verdict: Verdict::Failed(mut reasons), points }) => {
+            reasons.extend(late);
+            ("failed", points, reasons)
+        }
+        Ending::Done(Told { points, .. }) if late.is_some() => {
+            ("late", points, late.into_iter().collect())
+        }
+        Ending::Done(Told { verdict: Verdict::Kept, points }) => ("kept", points, Vec::new()),
+        Ending::Done(Told { verdict: Verdict::Limited, points }) => ("limited", points, Vec::new()),
     }
 }

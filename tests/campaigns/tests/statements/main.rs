@@ -7,6 +7,7 @@
 //! - [`meshes`]: what holds for whole meshes.
 
 mod geometry;
+mod meshes;
 mod sequences;
 mod subsegments;
 

@@ -1,0 +1,144 @@
+//! Random outlines of every family, meshed and judged: every promise is kept.
+
+mod support;
+
+use meshwright::certify::{Promise, certify};
+use meshwright::{Excuse, MinAngle, Parameters, Region, Splitting, Steiner};
+use meshwright_campaigns::families::Family;
+use meshwright_campaigns::hostile::hostile;
+use meshwright_campaigns::judge::{Verdict, judge};
+use meshwright_campaigns::run::{Ending, guarded, in_order};
+use meshwright_campaigns::{Random, figures, poly};
+use proptest::prelude::*;
+
+/// A random choice of everything that a run may vary and that keeps the promises.
+fn parameters() -> impl Strategy<Value = Parameters> {
+    let splitting = prop::sample::select(vec![Splitting::Ladder, Splitting::Shells]);
+    let excuse = prop::sample::select(vec![Excuse::Measured, Excuse::Midpoints]);
+    let steiner = prop::sample::select(vec![Steiner::OffCenter, Steiner::Circumcenter]);
+    let region = prop::sample::select(vec![Region::Domain, Region::Hull]);
+    let min_angle = prop_oneof![Just(MinAngle::default()), (5.0..MinAngle::LARGEST_DEGREES)
+        .prop_map(|degrees| MinAngle::from_degrees(degrees).expect("within the range"))];
+    (splitting, excuse, steiner, region, min_angle).prop_map(
+        |(splitting, excuse, steiner, region, min_angle)| Parameters {
+            splitting,
+            excuse,
+            steiner,
+            region,
+            min_angle,
+            ..Parameters::default()
+        },
+    )
+}
+
+/// Meshes an outline of a family; the failure message holds the outline.
+fn keeps_its_promises(family: Family, size: usize, theta: f64, seed: u64, parameters: &Parameters) {
+    let outline = family.outline(size, theta, seed);
+    if let Verdict::Failed(reasons) = judge(&outline, parameters).verdict {
+        panic!("{family:?}, {parameters:?}\n{}\n{}", reasons.join("\n"), poly::text(&outline, ""));
+    }
+}
+
+macro_rules! families {
+    ($($name:ident: $family:expr, $size:expr, $smallest:expr;)*) => { $(
+        proptest! {
+            #![proptest_config(support::cases(24))]
+            #[test]
+            fn $name(size in 1_usize..$size, exponent in $smallest..-0.3, seed: u64) {
+                keeps_its_promises($family, size, libm::exp10(exponent), seed, &Parameters::default());
+            }
+        }
+    )* };
+}
+
+families! {
+    random_pslgs_keep_every_promise: Family::RandomPslg, 40, -1.0;
+    needles_keep_every_promise: Family::Needles, 12, -7.0;
+    fans_keep_every_promise: Family::Fan, 40, -5.0;
+    stars_keep_every_promise: Family::Star, 30, -3.0;
+    combs_keep_every_promise: Family::Comb, 20, -3.0;
+    nested_slits_keep_every_promise: Family::NestedSlits, 8, -1.0;
+    long_thin_wedges_keep_every_promise: Family::LongThinWedge, 6, -6.0;
+    lattices_keep_every_promise: Family::Lattice, 32, -1.0;
+}
+
+proptest! {
+    #![proptest_config(support::cases(60))]
+
+    /// Thin angles are left to the tests above: shells make 1/θ points of them.
+    #[test]
+    fn every_way_of_refining_keeps_every_promise(
+        family in prop::sample::select(Family::ALL.to_vec()),
+        size in 1_usize..12,
+        exponent in -2.0..-0.3,
+        seed: u64,
+        parameters in parameters(),
+    ) {
+        keeps_its_promises(family, size, libm::exp10(exponent), seed, &parameters);
+    }
+
+    #[test]
+    fn no_triangle_is_larger_than_asked(
+        family in prop::sample::select(Family::ALL.to_vec()),
+        seed: u64,
+        largest in 1e-3..1e-1,
+    ) {
+        let outline = family.outline(6, 0.1, seed);
+        let parameters = Parameters { max_area: Some(largest), ..Parameters::default() };
+        let made = judge(&outline, &parameters).well();
+        for triangle in &made.mesh.triangles {
+            let [a, b, c] = triangle.map(|v| made.mesh.points[v as usize]);
+            let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+            prop_assert!(area <= largest * (1.0 + 1e-12), "{area} in {family:?}");
+        }
+    }
+}
+
+#[test]
+fn sixty_hostile_outlines_keep_every_promise() {
+    let mesh_one = |i: usize| {
+        guarded(move || judge(&hostile(3, i as u64), &Parameters::default()).verdict).ending
+    };
+    in_order(60, 2, mesh_one, |i, ending| match ending {
+        Ending::Done(Verdict::Failed(reasons)) => {
+            let outline = hostile(3, i as u64);
+            panic!("seed 3, number {i}:\n{}\n{}", reasons.join("\n"), poly::text(&outline, ""));
+        }
+        Ending::Done(_) => {}
+        ending => panic!("seed 3, number {i}: {ending:?}"),
+    });
+}
+
+#[test]
+fn wedges_take_few_points() {
+    for (degrees, most) in [(1.0, 100), (0.1, 130), (0.01, 220), (0.001, 300)] {
+        let judged = judge(&figures::wedge(f64::to_radians(degrees)), &Parameters::default());
+        assert_eq!(judged.verdict, Verdict::Kept, "{degrees}°");
+        assert!(judged.points() <= most, "{} points at {degrees}°", judged.points());
+    }
+}
+
+#[test]
+fn where_doubles_end_wedges_still_take_few_points() {
+    for theta in [1e-7, 1e-8, 1e-9] {
+        let judged = judge(&figures::wedge(theta), &Parameters::default());
+        assert!(judged.points() <= 600, "{} points at {theta} rad", judged.points());
+        judged.well();
+    }
+}
+
+/// A judge that always says yes would pass every other test here.
+#[test]
+fn the_judge_notices_a_moved_point() {
+    let random = &mut Random::new(5);
+    let outline = Family::RandomPslg.outline(20, 0.1, 5);
+    let made = judge(&outline, &Parameters::default()).well();
+    let mut found = 0;
+    for _ in 0..20 {
+        let mut mesh = made.mesh.clone();
+        let moved = random.whole(0, mesh.points.len() - 1);
+        mesh.points[moved][0] += 0.5;
+        found += u32::from(!certify(&outline, &mesh, &Promise::default()).holds());
+    }
+    assert_eq!(found, 20);
+}
