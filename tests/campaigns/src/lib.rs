@@ -6,7 +6,8 @@
 //! - [`hostile`]: everything at once, clean by construction.
 //! - [`sketch`], [`plane`], [`measure`], [`motion`], [`poly`]: what those are made with.
 //! - [`corpus`]: the large collection of outlines, and what is known of each.
-//! - [`judge`], [`run`]: meshing, judging, and doing so two thousand times.
+//! - [`judge`], [`run`], [`shrink`]: meshing, judging, doing so two thousand times, and making small
+//!   what fails.
 
 pub mod corpus;
 pub mod families;
@@ -19,6 +20,7 @@ pub mod plane;
 pub mod poly;
 mod random;
 pub mod run;
+pub mod shrink;
 pub mod sketch;
 
 pub use families::Family;

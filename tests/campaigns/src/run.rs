@@ -109,6 +109,12 @@ impl FailureFolder {
         Ok(Self(folder))
     }
 
+    /// Whether nothing is written.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        self.0.is_none()
+    }
+
     /// Writes an outline that failed, with the reason on top.
     ///
     /// # Errors

@@ -1,3 +1,156 @@
-//! Real outlines with known answers.
+//! Real and nasty outlines with known answers: one test per file of the collection that
+//! `MESHWRIGHT_DATA` names. Without it, one ignored test per folder says that they did not run.
 
-fn main() {}
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use libtest_mimic::{Arguments, Failed, Trial};
+use meshwright::domain;
+use meshwright::formats::{node, poly};
+use meshwright::{Parameters, Pslg};
+use meshwright_campaigns::corpus::{self, Case, Ending, VARIABLE};
+use meshwright_campaigns::judge::{Verdict, judge};
+use meshwright_campaigns::measure::area;
+use meshwright_campaigns::plane::segments_meet;
+use meshwright_campaigns::run::{self, guarded};
+
+/// The folders of the collection that hold `.poly` and `.node` files.
+const FOLDERS: [&str; 9] =
+    ["bad", "cdt", "cgshop25", "gis", "mesh2d", "outlines", "paper", "polygons", "triangle"];
+
+fn main() -> ExitCode {
+    let arguments = Arguments::from_args();
+    let trials = match corpus::folder() {
+        Some(folder) => trials(&folder),
+        None => FOLDERS.iter().map(|folder| ignored(folder)).collect(),
+    };
+    libtest_mimic::run(&arguments, trials).exit_code()
+}
+
+/// A test that is counted as ignored.
+fn ignored(folder: &str) -> Trial {
+    let without_data = || Err(Failed::from(format!("{VARIABLE} is not set")));
+    Trial::test(format!("{folder}/*"), without_data).with_ignored_flag(true)
+}
+
+fn trials(folder: &Path) -> Vec<Trial> {
+    match corpus::cases(folder) {
+        Ok(cases) => cases
+            .into_iter()
+            .map(|case| {
+                let path = folder.join(&case.file);
+                Trial::test(case.file.clone(), move || behaves(case, path))
+            })
+            .collect(),
+        Err(error) => {
+            let reason = format!("{}: {error}", folder.display());
+            vec![Trial::test("answers", move || Err(Failed::from(reason)))]
+        }
+    }
+}
+
+/// What a run did.
+struct Ran {
+    ending: Ending,
+    area: Option<f64>,
+    talk: String,
+    /// What is wrong whatever was expected.
+    faults: Vec<String>,
+}
+
+/// Whether a file behaves as it must.
+fn behaves(case: Case, path: PathBuf) -> Result<(), Failed> {
+    let ran = match guarded(move || mesh_file(&path)).ending {
+        run::Ending::Done(ran) => ran,
+        run::Ending::Panicked(message) => return Err(format!("a panic: {message}").into()),
+        run::Ending::Hung => return Err("it does not end".into()),
+    };
+    // Whether a file is missing or wrong is told by the exit code, which only the command has.
+    let ending = match ran.ending {
+        Ending::Refused if case.allowed.contains(&Ending::Missing) => Ending::Missing,
+        ending => ending,
+    };
+    let mut complaints = case.complaints(ending, ran.area, &ran.talk);
+    complaints.extend(ran.faults);
+    if complaints.is_empty() {
+        return Ok(());
+    }
+    Err(format!("{}\nit said:\n{}", complaints.join("\n"), ran.talk).into())
+}
+
+fn mesh_file(path: &Path) -> Ran {
+    let mut talk = Vec::new();
+    let refused = |talk: Vec<String>, faults| Ran { ending: Ending::Refused, area: None, talk: talk.join("\n"), faults };
+    let outline = match read(path, &mut talk) {
+        Ok(outline) => outline,
+        Err(message) => {
+            talk.push(message);
+            return refused(talk, Vec::new());
+        }
+    };
+    match meshwright::mesh(&outline, &Parameters::default()) {
+        Err(error) => {
+            talk.push(error.to_string());
+            refused(talk, innocent_culprits(&outline, &error))
+        }
+        Ok(outcome) => {
+            let warned = !talk.is_empty() || !outcome.warnings.is_empty();
+            talk.extend(outcome.warnings.iter().map(ToString::to_string));
+            let faults = match judge(&outline, &Parameters::default()).verdict {
+                Verdict::Failed(reasons) => reasons,
+                _ => Vec::new(),
+            };
+            let ending = if warned { Ending::MeshesWithWarning } else { Ending::Meshes };
+            Ran { ending, area: Some(area(&outcome.mesh)), talk: talk.join("\n"), faults }
+        }
+    }
+}
+
+/// Reads an outline; warnings go into the talk.
+fn read(path: &Path, talk: &mut Vec<String>) -> Result<Pslg, String> {
+    let name = path.display().to_string();
+    let text = uncompressed(fs::read(path).map_err(|error| format!("{name}: {error}"))?)?;
+    let is_node = name.trim_end_matches(".gz").ends_with(".node");
+    let (outline, warnings) = if is_node {
+        node::read(&text, &name)
+    } else {
+        poly::read(&text, &name, |node| fs::read(node))
+    }
+    .map_err(|error| error.to_string())?;
+    talk.extend(warnings.iter().map(ToString::to_string));
+    Ok(outline)
+}
+
+fn uncompressed(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
+    if !bytes.starts_with(&[0x1f, 0x8b]) {
+        return Ok(bytes);
+    }
+    let mut text = Vec::new();
+    let mut reader = flate2::read::MultiGzDecoder::new(&bytes[..]);
+    reader.read_to_end(&mut text).map_err(|error| error.to_string())?;
+    Ok(text)
+}
+
+/// The culprits of an error that have nothing in common, whatever the error says. Exact.
+fn innocent_culprits(outline: &Pslg, error: &meshwright::Error) -> Vec<String> {
+    let meshwright::Error::Domain(domain::Error::Conflicts(conflicts)) = error else {
+        return Vec::new();
+    };
+    let ends = |item: &domain::Item| match item.kind {
+        domain::Kind::Segment => outline.segments[item.index as usize],
+        _ => [item.index; 2],
+    };
+    let at = |v: u32| outline.points[v as usize];
+    let guilty = |[s, t]: &[domain::Item; 2]| {
+        let ([a, b], [c, d]) = (ends(s), ends(t));
+        segments_meet(at(a), at(b), at(c), at(d))
+    };
+    conflicts
+        .first
+        .iter()
+        .filter(|conflict| !guilty(&conflict.items))
+        .map(|conflict| format!("not so: {conflict}"))
+        .collect()
+}

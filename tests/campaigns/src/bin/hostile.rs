@@ -5,10 +5,12 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::Parser;
-use meshwright::Parameters;
+use meshwright::certify::Guarantee;
+use meshwright::{Parameters, Pslg};
 use meshwright_campaigns::hostile::{Census, hostile};
 use meshwright_campaigns::judge::{Verdict, judge};
 use meshwright_campaigns::run::{Ending, FailureFolder, Timed, guarded, in_order};
+use meshwright_campaigns::shrink::shrink;
 
 /// Makes hostile outlines, meshes them and judges every mesh.
 ///
@@ -35,7 +37,7 @@ struct Arguments {
     /// How many runs at once
     #[arg(long, default_value_t = 2)]
     threads: usize,
-    /// A folder for the outlines that fail, as .poly files
+    /// A folder for the outlines that fail, as .poly files: as they are, and made small
     #[arg(long, value_name = "FOLDER")]
     failures: Option<PathBuf>,
     /// Print a line for every outline, not for the failing ones alone
@@ -98,7 +100,7 @@ fn run(arguments: &Arguments) -> std::io::Result<u64> {
         }
         if !reasons.is_empty() {
             let name = format!("hostile_{}_{index}", arguments.seed);
-            let kept = folder.keep(&name, &hostile(arguments.seed, index), &reasons.join("\n"));
+            let kept = keep(&folder, &name, &hostile(arguments.seed, index), &reasons);
             trouble = std::mem::replace(&mut trouble, Ok(())).and(kept);
         }
     });
@@ -110,6 +112,34 @@ fn run(arguments: &Arguments) -> std::io::Result<u64> {
         slowest.0.as_secs_f64()
     );
     trouble.map(|()| failed)
+}
+
+/// Writes a failing outline and, where its mesh breaks a guarantee, the smallest part of it whose
+/// mesh breaks the same ones.
+fn keep(
+    folder: &FailureFolder,
+    name: &str,
+    outline: &Pslg,
+    reasons: &[String],
+) -> std::io::Result<()> {
+    folder.keep(name, outline, &reasons.join("\n"))?;
+    let original = broken(reasons);
+    if folder.is_none() || original.is_empty() {
+        return Ok(());
+    }
+    let fails_alike = |smaller: &Pslg| match judge(smaller, &Parameters::default()).verdict {
+        Verdict::Failed(reasons) => broken(&reasons) == original,
+        _ => false,
+    };
+    let small = shrink(outline, &fails_alike);
+    folder.keep(&format!("{name}_small"), &small, &original.join(" "))
+}
+
+/// The codes of the guarantees that are broken: the first words of the reasons, where those are.
+fn broken(reasons: &[String]) -> Vec<&str> {
+    reasons.iter().filter_map(|reason| reason.split_once(':')).map(|(code, _)| code).filter(|code| {
+        Guarantee::ALL.iter().any(|guarantee| guarantee.code() == *code)
+    }).collect()
 }
 
 /// The word for a run, its points, and what is wrong with it.
