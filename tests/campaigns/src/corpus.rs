@@ -63,7 +63,9 @@ pub fn cases(folder: &Path) -> io::Result<Vec<Case>> {
     let expected = fs::read_to_string(folder.join("bad/expected.json"))?;
     let expected: Value = serde_json::from_str(&expected)?;
     let nasty = expected.as_object().into_iter().flatten();
-    cases.extend(nasty.filter(|(name, _)| is_read(name)).map(|(name, case)| expectation(name, case)));
+    cases.extend(
+        nasty.filter(|(name, _)| is_read(name)).map(|(name, case)| expectation(name, case)),
+    );
     cases.sort_by(|a, b| a.file.cmp(&b.file));
     Ok(cases)
 }
@@ -96,7 +98,9 @@ fn answer(row: &str) -> Option<Case> {
 
 /// Whether this fault is mended without being asked.
 fn is_merged(fault: &str) -> bool {
-    ["duplicate point", "duplicate segment", "zero-length segment"].iter().any(|f| fault.contains(f))
+    ["duplicate point", "duplicate segment", "zero-length segment"]
+        .iter()
+        .any(|f| fault.contains(f))
 }
 
 /// An entry of `bad/expected.json`.
@@ -123,7 +127,11 @@ fn expectation(name: &str, case: &Value) -> Case {
     places.extend(lines.map(|line| vec![at(line)]));
     for (kind, word) in [("segments", "segment"), ("points", "point")] {
         for number in culprits[kind].as_array().into_iter().flatten() {
-            places.push(vec![format!("{word} {number}"), format!("{word}s {number}"), format!("and {number}")]);
+            places.push(vec![
+                format!("{word} {number}"),
+                format!("{word}s {number}"),
+                format!("and {number}"),
+            ]);
         }
     }
     Case {
@@ -141,9 +149,10 @@ impl Case {
     pub fn complaints(&self, ending: Ending, area: Option<f64>, talk: &str) -> Vec<String> {
         let mut complaints = Vec::new();
         let meshed = matches!(ending, Ending::Meshes | Ending::MeshesWithWarning);
-        let fits = self.allowed.iter().any(|&allowed| {
-            allowed == ending || (meshed && allowed == Ending::Meshes)
-        });
+        let fits = self
+            .allowed
+            .iter()
+            .any(|&allowed| allowed == ending || (meshed && allowed == Ending::Meshes));
         if !fits {
             complaints.push(format!("{ending:?} where {:?} was expected", self.allowed));
         }
@@ -169,9 +178,8 @@ impl Case {
 
 /// Whether the talk holds the text, and no digit goes on where the text ends.
 fn names(talk: &str, text: &str) -> bool {
-    talk.match_indices(text).any(|(at, _)| {
-        !talk[at + text.len()..].starts_with(|next: char| next.is_ascii_digit())
-    })
+    talk.match_indices(text)
+        .any(|(at, _)| !talk[at + text.len()..].starts_with(|next: char| next.is_ascii_digit()))
 }
 
 fn names_a_line(talk: &str, name: &str) -> bool {
@@ -211,7 +219,8 @@ mod tests {
         });
         let case = expectation("b.poly", &case);
         assert_eq!(case.allowed, [Ending::Refused]);
-        let talk = "error: segments 1 and 3 cross near (1, 1)\n  bad/b.poly:7: 1 1 2\n  bad/b.poly:9: 3";
+        let talk =
+            "error: segments 1 and 3 cross near (1, 1)\n  bad/b.poly:7: 1 1 2\n  bad/b.poly:9: 3";
         assert_eq!(case.complaints(Ending::Refused, None, talk), Vec::<String>::new());
         assert_eq!(case.complaints(Ending::Refused, None, "error: it crosses").len(), 4);
     }

@@ -19,6 +19,24 @@ pub fn corners(low: Point, high: Point) -> [Point; 4] {
     [low, [high[0], low[1]], high, [low[0], high[1]]]
 }
 
+/// An outline without its holes in the middle of a box that is larger by its size on every side: the
+/// box is the convex hull, as Assumption 1 (iv) of the paper wants it.
+#[must_use]
+pub fn in_a_box(inner: &Pslg) -> Pslg {
+    let bound = |axis: usize, pick: fn(f64, f64) -> f64| {
+        inner.points.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0.0)
+    };
+    let low = [0, 1].map(|axis| bound(axis, f64::min));
+    let high = [0, 1].map(|axis| bound(axis, f64::max));
+    let size = (high[0] - low[0]).max(high[1] - low[1]);
+    let mut boxed = Pslg { holes: Vec::new(), ..inner.clone() };
+    let first = boxed.points.len() as u32;
+    boxed.points.extend(corners(low.map(|c| c - size), high.map(|c| c + size)));
+    boxed.segments.extend((0..4).map(|i| [first + i, first + (i + 1) % 4]));
+    boxed.segment_tags.extend([0; 4]);
+    boxed
+}
+
 /// One wedge: two segments that make `theta` (radians) at the origin, of lengths 1 and 0.83, the
 /// first at 0.3 rad from the x axis, in the box [−1, 2]².
 #[must_use]

@@ -3,7 +3,8 @@
 use meshwright::{Mesh, Pslg};
 
 use crate::plane::{
-    Point, angle, cross, minus, direction, distance_of_segments, distance_to_segment, legs_overlap, segments_meet,
+    Point, angle, cross, direction, distance_of_segments, distance_to_segment, legs_overlap, minus,
+    segments_meet,
 };
 
 /// θ* as ALGORITHM defines it before it is cut off at π/3: the smallest angle (radians) between

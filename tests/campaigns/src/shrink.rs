@@ -72,9 +72,9 @@ fn points(outline: &Pslg, from: usize, length: usize) -> Option<Pslg> {
     smaller.points.retain(|_| kept.next() == Some(&true));
     smaller.segments.iter_mut().flatten().for_each(|v| *v = numbers[*v as usize]);
     // Where every point of the chunk is needed nothing is gained: go on behind it.
-    Some(smaller).filter(|s| s.points.len() < outline.points.len()).or_else(|| {
-        points(outline, from + length, length)
-    })
+    Some(smaller)
+        .filter(|s| s.points.len() < outline.points.len())
+        .or_else(|| points(outline, from + length, length))
 }
 
 fn holes(outline: &Pslg, from: usize, length: usize) -> Option<Pslg> {

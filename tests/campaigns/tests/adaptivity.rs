@@ -15,10 +15,12 @@ const LIMIT: f64 = 36.54;
 
 /// Outlines with no angle below the limit: of each draw those that have none.
 fn wide_outline() -> impl Strategy<Value = Pslg> {
-    let family = prop::sample::select(vec![Family::Lattice, Family::NestedSlits, Family::RandomPslg]);
-    let drawn = (family, 1_usize..14, any::<u64>(), 0.0..6.3).prop_map(|(family, size, seed, turn)| {
-        Motion::turn(turn).apply(&family.outline(size, 0.5, seed))
-    });
+    let family =
+        prop::sample::select(vec![Family::Lattice, Family::NestedSlits, Family::RandomPslg]);
+    let drawn =
+        (family, 1_usize..14, any::<u64>(), 0.0..6.3).prop_map(|(family, size, seed, turn)| {
+            Motion::turn(turn).apply(&family.outline(size, 0.5, seed))
+        });
     let polygon = (3_usize..9, any::<u64>()).prop_map(|(corners, seed)| {
         let random = &mut Random::new(seed);
         let turn = random.direction();
@@ -70,9 +72,13 @@ proptest! {
 #[test]
 fn across_a_small_angle_the_rules_differ() {
     let wedge = figures::wedge(10_f64.to_radians());
-    let adaptive = judge(&wedge, &parameters(Rule::Adaptive, Splitting::Shells, Steiner::Circumcenter)).well();
+    let adaptive =
+        judge(&wedge, &parameters(Rule::Adaptive, Splitting::Shells, Steiner::Circumcenter)).well();
     assert!(adaptive.certificate.smallest_angle.is_some_and(|a| a.to_degrees() < 20.0));
-    let budget = Parameters { max_points: 20_000, ..parameters(Rule::Ruppert, Splitting::Shells, Steiner::Circumcenter) };
+    let budget = Parameters {
+        max_points: 20_000,
+        ..parameters(Rule::Ruppert, Splitting::Shells, Steiner::Circumcenter)
+    };
     if let Ok(ruppert) = meshwright::mesh(&wedge, &budget) {
         assert_ne!(ruppert.mesh.triangles, adaptive.mesh.triangles);
     }

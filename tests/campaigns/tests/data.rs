@@ -82,7 +82,12 @@ fn behaves(case: Case, path: PathBuf) -> Result<(), Failed> {
 
 fn mesh_file(path: &Path) -> Ran {
     let mut talk = Vec::new();
-    let refused = |talk: Vec<String>, faults| Ran { ending: Ending::Refused, area: None, talk: talk.join("\n"), faults };
+    let refused = |talk: Vec<String>, faults| Ran {
+        ending: Ending::Refused,
+        area: None,
+        talk: talk.join("\n"),
+        faults,
+    };
     let outline = match read(path, &mut talk) {
         Ok(outline) => outline,
         Err(message) => {

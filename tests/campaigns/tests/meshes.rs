@@ -17,8 +17,11 @@ fn parameters() -> impl Strategy<Value = Parameters> {
     let excuse = prop::sample::select(vec![Excuse::Measured, Excuse::Midpoints]);
     let steiner = prop::sample::select(vec![Steiner::OffCenter, Steiner::Circumcenter]);
     let region = prop::sample::select(vec![Region::Domain, Region::Hull]);
-    let min_angle = prop_oneof![Just(MinAngle::default()), (5.0..MinAngle::LARGEST_DEGREES)
-        .prop_map(|degrees| MinAngle::from_degrees(degrees).expect("within the range"))];
+    let min_angle = prop_oneof![
+        Just(MinAngle::default()),
+        (5.0..MinAngle::LARGEST_DEGREES)
+            .prop_map(|degrees| MinAngle::from_degrees(degrees).expect("within the range"))
+    ];
     (splitting, excuse, steiner, region, min_angle).prop_map(
         |(splitting, excuse, steiner, region, min_angle)| Parameters {
             splitting,
@@ -122,8 +125,8 @@ fn wedges_take_few_points() {
 fn where_doubles_end_wedges_still_take_few_points() {
     for theta in [1e-7, 1e-8, 1e-9] {
         let judged = judge(&figures::wedge(theta), &Parameters::default());
+        assert!(!matches!(judged.verdict, Verdict::Failed(_)), "{:?}", judged.verdict);
         assert!(judged.points() <= 600, "{} points at {theta} rad", judged.points());
-        judged.well();
     }
 }
 

@@ -14,8 +14,9 @@ use proptest::prelude::*;
 
 fn outline() -> impl Strategy<Value = Pslg> {
     let family = prop::sample::select(Family::ALL.to_vec());
-    (family, 1_usize..12, -3.0..-0.3, any::<u64>())
-        .prop_map(|(family, size, exponent, seed)| family.outline(size, libm::exp10(exponent), seed))
+    (family, 1_usize..12, -3.0..-0.3, any::<u64>()).prop_map(|(family, size, exponent, seed)| {
+        family.outline(size, libm::exp10(exponent), seed)
+    })
 }
 
 fn mesh(outline: &Pslg) -> Mesh {

@@ -74,7 +74,13 @@ impl Table {
 
     /// Meshes an outline, judges it, prints the row. Answers with the number of points and what
     /// was made.
-    fn mesh(&mut self, name: &str, outline: &Pslg, parameters: &Parameters, bound: Bound) -> (usize, Option<Made>) {
+    fn mesh(
+        &mut self,
+        name: &str,
+        outline: &Pslg,
+        parameters: &Parameters,
+        bound: Bound,
+    ) -> (usize, Option<Made>) {
         let start = Instant::now();
         let made = meshwright::mesh(outline, parameters);
         let time = start.elapsed();
@@ -97,7 +103,15 @@ impl Table {
         (points, judged.made)
     }
 
-    fn row(&mut self, name: &str, points: usize, time: Duration, bound: Bound, word: &str, smallest: Option<f64>) {
+    fn row(
+        &mut self,
+        name: &str,
+        points: usize,
+        time: Duration,
+        bound: Bound,
+        word: &str,
+        smallest: Option<f64>,
+    ) {
         let seconds = time.as_secs_f64();
         let within = bound.points.is_none_or(|most| points <= most)
             && bound.seconds.is_none_or(|most| seconds <= most);
@@ -146,7 +160,12 @@ fn precision(table: &mut Table) {
         let wedge = figures::wedge(theta);
         table.mesh(&format!("wedge of {theta:e} rad"), &wedge, default, slow(Some(600)));
         let away = Motion::offset([1e3, 1e3]).apply(&wedge);
-        table.mesh(&format!("wedge of {theta:e} rad at (1000, 1000)"), &away, default, slow(Some(600)));
+        table.mesh(
+            &format!("wedge of {theta:e} rad at (1000, 1000)"),
+            &away,
+            default,
+            slow(Some(600)),
+        );
     }
     let plate = figures::millimetres_at_five_million();
     table.mesh("details of 1e-3 at 5e6", &plate, default, slow(None));
@@ -178,10 +197,32 @@ fn superior(table: &mut Table, data: &Path) -> std::io::Result<()> {
     times.sort_unstable();
     let bound = Bound { points: Some(967), ..Bound::default() };
     table.mesh("Lake Superior", &lake, &Parameters::default(), bound);
-    table.row("Lake Superior, median of 5 runs", 0, times[2], Bound { seconds: Some(0.3), points: None }, "", None);
-    table.mesh("Lake Superior in a box", &read(data, "paper/superior_box.poly")?, &Parameters::default(), Bound::default());
-    table.mesh("Lake Superior (Natural Earth)", &read(data, "gis/superior_ne10.poly")?, &Parameters::default(), Bound::default());
-    table.mesh("Lake Superior in a box, the paper's rules (1 775)", &read(data, "paper/superior_box.poly")?, &paper_profile(), Bound::default());
+    table.row(
+        "Lake Superior, median of 5 runs",
+        0,
+        times[2],
+        Bound { seconds: Some(0.3), points: None },
+        "",
+        None,
+    );
+    table.mesh(
+        "Lake Superior in a box",
+        &read(data, "paper/superior_box.poly")?,
+        &Parameters::default(),
+        Bound::default(),
+    );
+    table.mesh(
+        "Lake Superior (Natural Earth)",
+        &read(data, "gis/superior_ne10.poly")?,
+        &Parameters::default(),
+        Bound::default(),
+    );
+    table.mesh(
+        "Lake Superior in a box, the paper's rules (1 775)",
+        &read(data, "paper/superior_box.poly")?,
+        &paper_profile(),
+        Bound::default(),
+    );
     Ok(())
 }
 
@@ -208,7 +249,12 @@ fn paper_profile() -> Parameters {
 fn paper(table: &mut Table, seed: u64) {
     for degrees in [1.0, 0.1, 0.01] {
         let wedge = figures::wedge(f64::to_radians(degrees));
-        table.mesh(&format!("wedge of {degrees}°, the paper's rules"), &wedge, &paper_profile(), Bound::default());
+        table.mesh(
+            &format!("wedge of {degrees}°, the paper's rules"),
+            &wedge,
+            &paper_profile(),
+            Bound::default(),
+        );
     }
     spokes(table, seed, &paper_profile(), None);
 }

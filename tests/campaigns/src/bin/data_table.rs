@@ -46,7 +46,8 @@ fn main() -> io::Result<ExitCode> {
     let arguments = Arguments::parse();
     let command = match &arguments.command {
         Some(command) => command.clone(),
-        None => std::env::current_exe()?.with_file_name(format!("meshwright{}", std::env::consts::EXE_SUFFIX)),
+        None => std::env::current_exe()?
+            .with_file_name(format!("meshwright{}", std::env::consts::EXE_SUFFIX)),
     };
     let own_scratch = std::env::temp_dir().join(format!("meshwright-data-{}", std::process::id()));
     let scratch = arguments.scratch.clone().unwrap_or_else(|| own_scratch.clone());
@@ -55,16 +56,26 @@ fn main() -> io::Result<ExitCode> {
     let mut cases = corpus::cases(&arguments.data)?;
     cases.retain(|case| case.file.contains(only));
 
-    let runner = Runner { command, data: arguments.data.clone(), scratch, limit: Duration::from_secs_f64(arguments.limit) };
+    let runner = Runner {
+        command,
+        data: arguments.data.clone(),
+        scratch,
+        limit: Duration::from_secs_f64(arguments.limit),
+    };
     let (mut wrong, mut broken) = (0, Ok(()));
     println!("{:<56} {:<18} {:<18} {:>8} {:>8}", "file", "expected", "got", "points", "seconds");
-    in_order(cases.len(), arguments.threads, |i| runner.run(i, &cases[i]), |i, row| match row {
-        Ok(row) => {
-            row.print(&cases[i]);
-            wrong += usize::from(!row.complaints.is_empty());
-        }
-        Err(error) => broken = Err(error),
-    });
+    in_order(
+        cases.len(),
+        arguments.threads,
+        |i| runner.run(i, &cases[i]),
+        |i, row| match row {
+            Ok(row) => {
+                row.print(&cases[i]);
+                wrong += usize::from(!row.complaints.is_empty());
+            }
+            Err(error) => broken = Err(error),
+        },
+    );
     broken?;
     let _ = fs::remove_dir_all(own_scratch);
     println!("{} files, {} as expected, {wrong} not", cases.len(), cases.len() - wrong);
@@ -128,7 +139,11 @@ impl Runner {
         let mut complaints = Vec::new();
         let (mut points, mut area) = (None, None);
         let ending = match done.code {
-            Some(0) => Some(if names_a_warning(&done.talk) { Ending::MeshesWithWarning } else { Ending::Meshes }),
+            Some(0) => Some(if names_a_warning(&done.talk) {
+                Ending::MeshesWithWarning
+            } else {
+                Ending::Meshes
+            }),
             Some(1) => Some(Ending::Refused),
             Some(3) => Some(Ending::Missing),
             _ => None,

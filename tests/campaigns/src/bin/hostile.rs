@@ -137,15 +137,19 @@ fn keep(
 
 /// The codes of the guarantees that are broken: the first words of the reasons, where those are.
 fn broken(reasons: &[String]) -> Vec<&str> {
-    reasons.iter().filter_map(|reason| reason.split_once(':')).map(|(code, _)| code).filter(|code| {
-        Guarantee::ALL.iter().any(|guarantee| guarantee.code() == *code)
-    }).collect()
+    reasons
+        .iter()
+        .filter_map(|reason| reason.split_once(':'))
+        .map(|(code, _)| code)
+        .filter(|code| Guarantee::ALL.iter().any(|guarantee| guarantee.code() == *code))
+        .collect()
 }
 
 /// The word for a run, its points, and what is wrong with it.
 fn judge_run(told: Timed<Told>, limit: Duration) -> (&'static str, usize, Vec<String>) {
-    let late = (told.time > limit)
-        .then(|| format!("{:.1} s, where {:.1} s are allowed", told.time.as_secs_f64(), limit.as_secs_f64()));
+    let late = (told.time > limit).then(|| {
+        format!("{:.1} s, where {:.1} s are allowed", told.time.as_secs_f64(), limit.as_secs_f64())
+    });
     match told.ending {
         Ending::Hung => ("hung", 0, vec!["the run does not end".to_owned()]),
         Ending::Panicked(message) => ("panic", 0, vec![message]),

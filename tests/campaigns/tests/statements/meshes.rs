@@ -6,13 +6,13 @@ use std::f64::consts::{FRAC_PI_3, PI, SQRT_2};
 
 use meshwright::formats::Provenance;
 use meshwright::{Excuse, Mesh, MinAngle, Parameters, Pslg, Region, Rule, Splitting, Steiner};
+use meshwright_campaigns::Random;
 use meshwright_campaigns::families::Family;
 use meshwright_campaigns::figures::{self, corners};
 use meshwright_campaigns::hostile::hostile;
 use meshwright_campaigns::judge::judge;
 use meshwright_campaigns::measure::smallest_angle;
 use meshwright_campaigns::plane::{angle, cross, distance, distance_to_segment, minus, polar};
-use meshwright_campaigns::Random;
 
 use crate::{f, kappa_hat};
 
@@ -35,13 +35,25 @@ fn ours() -> Parameters {
     Parameters::default()
 }
 
+/// Outlines for the paper's own rules: each in a box, so that its convex hull is a union of
+/// segments (Assumption 1 (iv)).
+fn boxed_outlines() -> impl Iterator<Item = (String, Pslg)> {
+    outlines().map(|(name, outline)| (name, figures::in_a_box(&outline)))
+}
+
+/// Outlines for these rules.
+fn outlines_for(parameters: &Parameters) -> Vec<(String, Pslg)> {
+    match parameters.region {
+        Region::Hull => boxed_outlines().collect(),
+        Region::Domain => outlines().collect(),
+    }
+}
+
 /// Outlines of all families, none with angles that take the paper's shells more than some
 /// thousand points.
 fn outlines() -> impl Iterator<Item = (String, Pslg)> {
     let families = Family::ALL.into_iter().flat_map(|family| {
-        (0..4).map(move |seed| {
-            (format!("{family:?}, seed {seed}"), family.outline(8, 0.05, seed))
-        })
+        (0..4).map(move |seed| (format!("{family:?}, seed {seed}"), family.outline(8, 0.05, seed)))
     });
     let spokes = (900..903).map(|seed| (format!("spokes {seed}"), figures::spokes20(seed)));
     families.chain(spokes)
@@ -53,7 +65,10 @@ fn segment_of_point(outline: &Pslg, mesh: &Mesh) -> HashMap<u32, u32> {
     for (&edge, &segment) in mesh.edges.iter().zip(&mesh.edge_segments) {
         for v in edge {
             let place = mesh.points[v as usize];
-            let ends = outline.segments.get(segment as usize).map(|s| s.map(|p| outline.points[p as usize]));
+            let ends = outline
+                .segments
+                .get(segment as usize)
+                .map(|s| s.map(|p| outline.points[p as usize]));
             if ends.is_some_and(|ends| !ends.contains(&place)) {
                 inside.insert(v, segment);
             }
@@ -82,8 +97,9 @@ fn angle_of_segments(outline: &Pslg, s: u32, t: u32) -> Option<f64> {
 #[test]
 fn lemma_7() {
     let mut across = 0;
-    for (parameters, kappa) in [(paper(), MinAngle::default().radians()), (ours(), MinAngle::default().radians())] {
-        for (name, outline) in outlines() {
+    let kappa = MinAngle::default().radians();
+    for parameters in [paper(), ours()] {
+        for (name, outline) in outlines_for(&parameters) {
             let mesh = judge(&outline, &parameters).well().mesh;
             let on_segment = segment_of_point(&outline, &mesh);
             let theta_star = smallest_angle(&outline).unwrap_or(FRAC_PI_3).min(FRAC_PI_3);
@@ -99,7 +115,8 @@ fn lemma_7() {
                     (Some(&s), Some(&t)) => angle_of_segments(&outline, s, t),
                     _ => None,
                 };
-                let theta = theta.unwrap_or_else(|| panic!("{name}: {found} at {r} is across nothing"));
+                let theta =
+                    theta.unwrap_or_else(|| panic!("{name}: {found} at {r} is across nothing"));
                 assert!(theta <= FRAC_PI_3 * (1.0 + 1e-9), "{name}: across {theta}");
                 assert!(found >= f(theta) * (1.0 - SLACK), "{name}: {found} < f({theta})");
             }
@@ -116,12 +133,16 @@ fn corollary_3() {
         let min_angle = MinAngle::from_degrees(degrees).expect("within the range");
         let bound = (PI - 2.0 * degrees.to_radians())
             .max(PI - 2.0 * libm::asin((libm::sqrt(3.0) - 1.0) / 2.0));
-        for parameters in [Parameters { min_angle, ..paper() }, Parameters { min_angle, ..ours() }] {
-            for (name, outline) in outlines() {
+        for parameters in [Parameters { min_angle, ..paper() }, Parameters { min_angle, ..ours() }]
+        {
+            for (name, outline) in outlines_for(&parameters) {
                 let mesh = judge(&outline, &parameters).well().mesh;
                 for [p, q, r] in corners_of(&mesh) {
                     let found = angle_at(&mesh, p, r, q);
-                    assert!(found <= bound * (1.0 + 1e-9), "{name} at {degrees}°: {found} > {bound}");
+                    assert!(
+                        found <= bound * (1.0 + 1e-9),
+                        "{name} at {degrees}°: {found} > {bound}"
+                    );
                     largest_found = largest_found.max(found);
                 }
             }
@@ -134,8 +155,8 @@ fn corollary_3() {
 /// the apex r of the triangle pqr sees the edge under the largest angle.
 #[test]
 fn claim_8_1() {
-    for (name, outline) in outlines() {
-        let parameters = Parameters { region: Region::Hull, ..ours() };
+    let parameters = Parameters { region: Region::Hull, ..ours() };
+    for (name, outline) in boxed_outlines() {
         let mesh = judge(&outline, &parameters).well().mesh;
         if mesh.points.len() > 400 {
             continue;
@@ -159,11 +180,12 @@ fn claim_8_1() {
 #[test]
 fn claim_5_3_on_meshes() {
     let mut deepest = 0;
-    for (name, outline) in outlines() {
+    for (name, outline) in boxed_outlines() {
         let mesh = judge(&outline, &paper()).well().mesh;
         for chain in chains(&outline, &mesh) {
             let counts_as_input = |v: &u32| mesh.provenance[*v as usize] != Provenance::Midpoint;
-            let stops: Vec<usize> = (0..chain.len()).filter(|&i| counts_as_input(&chain[i])).collect();
+            let stops: Vec<usize> =
+                (0..chain.len()).filter(|&i| counts_as_input(&chain[i])).collect();
             assert!(stops.len() <= 5, "{name}: {} off-centers on one segment", stops.len() - 2);
             for stop in stops.windows(2) {
                 let part = &chain[stop[0]..=stop[1]];
@@ -176,9 +198,15 @@ fn claim_5_3_on_meshes() {
                 }
                 for (from, piece) in pieces {
                     let doublings = libm::log2(length / piece);
-                    assert!((doublings - doublings.round()).abs() < 1e-6, "{name}: {length} / {piece}");
+                    assert!(
+                        (doublings - doublings.round()).abs() < 1e-6,
+                        "{name}: {length} / {piece}"
+                    );
                     let steps = from / piece;
-                    assert!((steps - steps.round()).abs() < 1e-6 * (1.0 + steps), "{name}: {from} / {piece}");
+                    assert!(
+                        (steps - steps.round()).abs() < 1e-6 * (1.0 + steps),
+                        "{name}: {from} / {piece}"
+                    );
                     deepest = deepest.max(doublings.round() as i32);
                 }
             }
@@ -192,7 +220,7 @@ fn claim_5_3_on_meshes() {
 #[test]
 fn claim_5_1_on_meshes() {
     let mut away_from_x = 0;
-    for (name, outline) in outlines() {
+    for (name, outline) in boxed_outlines() {
         let mesh = judge(&outline, &paper()).well().mesh;
         for chain in chains(&outline, &mesh) {
             let reversed: Vec<u32> = chain.iter().rev().copied().collect();
@@ -217,16 +245,21 @@ fn claim_5_1_on_meshes() {
 #[test]
 fn claim_10_1() {
     let mut refined = 0;
-    for (name, outline) in outlines() {
+    for (name, outline) in boxed_outlines() {
         let Some(theta_star) = smallest_angle(&outline) else { continue };
         let limit = kappa_hat().min(f(theta_star.min(FRAC_PI_3)));
         let kappa = MinAngle::from_degrees((0.999 * limit).to_degrees()).expect("below 26.45°");
-        let parameters = Parameters { rule: Rule::Ruppert, min_angle: kappa, max_points: 200_000, ..paper() };
+        let parameters =
+            Parameters { rule: Rule::Ruppert, min_angle: kappa, max_points: 200_000, ..paper() };
         let mesh = judge(&outline, &parameters).well().mesh;
         refined += mesh.points.len() - outline.points.len().min(mesh.points.len());
         for [p, q, r] in corners_of(&mesh) {
             let found = angle_at(&mesh, p, r, q);
-            assert!(found >= kappa.radians() * (1.0 - 1e-9), "{name}: {found} < {}", kappa.radians());
+            assert!(
+                found >= kappa.radians() * (1.0 - 1e-9),
+                "{name}: {found} < {}",
+                kappa.radians()
+            );
         }
     }
     assert!(refined > 1_000, "{refined} points: nothing was exercised");
