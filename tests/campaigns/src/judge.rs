@@ -1,9 +1,9 @@
 //! Meshing an outline and judging how it went.
 
-use meshwright::certify::{Certificate, Fault, Guarantee, Promise, certify};
+use meshwright::certify::{Certificate, Fault, Guarantee};
 use meshwright::{Mesh, Parameters, Pslg};
 
-use crate::measure::resolution_limits;
+use crate::measure::{FLOOR, near_touches, resolution_limits, ulp_of_largest};
 use crate::plane::{Point, distance};
 
 /// How a run ended that had to end well.
@@ -62,9 +62,7 @@ pub fn judge(outline: &Pslg, parameters: &Parameters) -> Judged {
     match meshwright::mesh(outline, parameters) {
         Err(error) => Judged { verdict: Verdict::Failed(vec![error.to_string()]), made: None },
         Ok(outcome) => {
-            let mesh = outcome.mesh;
-            let certificate = certify(outline, &mesh, &Promise::from(parameters));
-            let made = Made { mesh, certificate };
+            let made = Made { mesh: outcome.mesh, certificate: outcome.certificate };
             Judged { verdict: verdict(outline, &made), made: Some(made) }
         }
     }
@@ -97,15 +95,23 @@ fn faults(certificate: &Certificate) -> Vec<String> {
 /// What the certificate calls limited by precision where §9's bound, computed here from the
 /// outline alone, says nothing of the kind.
 fn beyond_the_limit(outline: &Pslg, made: &Made) -> Vec<String> {
+    if !made.certificate.limited() {
+        return Vec::new();
+    }
     let limits = resolution_limits(outline, &made.mesh.points);
-    let near_an_apex = |place: Point| {
-        limits.iter().any(|&(apex, reach)| distance(place, apex) <= reach * (1.0 + 1e-9))
+    // Around two features that nearly touch edges are refused, as far as some floors reach.
+    let ulp = ulp_of_largest(&made.mesh.points);
+    let touches = near_touches(outline, made.certificate.promise.region, 2.0 * FLOOR * ulp);
+    let excused = |place: Point| {
+        let near_an_apex =
+            |&(apex, reach): &(Point, f64)| distance(place, apex) <= reach * (1.0 + 1e-9);
+        let near_a_touch = |&touch: &Point| distance(place, touch) <= 5.0 * FLOOR * ulp;
+        limits.iter().any(near_an_apex) || touches.iter().any(near_a_touch)
     };
-    let excused = |fault: &Fault| witness(&made.mesh, fault).into_iter().any(near_an_apex);
     Guarantee::ALL
         .iter()
         .flat_map(|&guarantee| &made.certificate.judgement(guarantee).first_limited)
-        .filter(|fault| !excused(fault))
+        .filter(|fault| !witness(&made.mesh, fault).into_iter().any(excused))
         .map(|fault| format!("not within the limit of any apex: {fault}"))
         .collect()
 }

@@ -1,6 +1,7 @@
 //! What an outline is like: its smallest angle, its nearest features, whether it is clean.
 
-use meshwright::{Mesh, Pslg};
+use meshwright::predicates::{Side, side};
+use meshwright::{Mesh, Pslg, Region};
 
 use crate::plane::{
     Point, angle, cross, direction, distance_of_segments, distance_to_segment, legs_overlap, minus,
@@ -72,16 +73,67 @@ pub fn area(mesh: &Mesh) -> f64 {
     mesh.triangles.iter().map(triangle).sum()
 }
 
+/// φ = 2¹² ulp(M), in units of ulp(M): no edge is made shorter (ALGORITHM §9).
+pub const FLOOR: f64 = 4096.0;
+
+/// ulp(M), M the largest coordinate in magnitude.
+#[must_use]
+pub fn ulp_of_largest(points: &[Point]) -> f64 {
+    let largest = points.iter().flatten().fold(0.0_f64, |m, c| m.max(c.abs()));
+    libm::scalbn(1.0, libm::ilogb(largest) - 52)
+}
+
 /// Where doubles end (ALGORITHM §9): each point with adjoining segments, and how far from it two of
-/// them at an angle θ are no longer told apart: θ²·d < 4·ulp(M) or θ·d < 2¹²·ulp(M), with M the
-/// largest output coordinate. The smallest θ at the point reaches farthest.
+/// them at an angle θ are no longer told apart: θ²·d < 4·ulp(M) or θ·d < φ, with M the largest
+/// output coordinate. The smallest θ at the point reaches farthest.
 #[must_use]
 pub fn resolution_limits(outline: &Pslg, output: &[Point]) -> Vec<(Point, f64)> {
-    let largest = output.iter().flatten().fold(0.0_f64, |m, c| m.max(c.abs()));
-    let ulp = libm::scalbn(1.0, libm::ilogb(largest) - 52);
-    let reach = |theta: f64| (4.0 * ulp / theta / theta).max(4096.0 * ulp / theta);
+    let ulp = ulp_of_largest(output);
+    let reach = |theta: f64| (4.0 * ulp / theta / theta).max(FLOOR * ulp / theta);
     let apexes = outline.points.iter().zip(angles_at_points(outline));
     apexes.filter_map(|(&x, theta)| Some((x, reach(theta?)))).collect()
+}
+
+/// The points that come nearer than `gap` to another point or to a segment that is not theirs:
+/// one of the outline, or an edge of the convex hull where that is meshed.
+#[must_use]
+pub fn near_touches(outline: &Pslg, region: Region, gap: f64) -> Vec<Point> {
+    let mut sides: Vec<[Point; 2]> =
+        outline.segments.iter().map(|s| s.map(|v| outline.points[v as usize])).collect();
+    if region == Region::Hull || sides.is_empty() {
+        sides.extend(hull_edges(&outline.points));
+    }
+    let touches = |(i, &p): (usize, &Point)| {
+        let near_side =
+            |&[a, b]: &[Point; 2]| p != a && p != b && distance_to_segment(p, a, b) < gap;
+        let near_point = |&q: &Point| p != q && distance(p, q) < gap;
+        sides.iter().any(near_side) || outline.points[..i].iter().any(near_point)
+    };
+    outline.points.iter().enumerate().filter(|&p| touches(p)).map(|(_, &p)| p).collect()
+}
+
+/// The sides of the convex hull, counter-clockwise (Andrew's monotone chain).
+fn hull_edges(points: &[Point]) -> Vec<[Point; 2]> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|p, q| p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])));
+    let mut edges = Vec::new();
+    for forward in [true, false] {
+        let mut chain: Vec<Point> = Vec::new();
+        for &p in &sorted {
+            while let [.., a, b] = chain[..] {
+                if side(a, b, p) == Side::Left {
+                    break;
+                }
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        edges.extend(chain.windows(2).map(|w| [w[0], w[1]]));
+        if forward {
+            sorted.reverse();
+        }
+    }
+    edges
 }
 
 /// Whether Assumption 1 (i)–(iii) holds, decided exactly, by looking at all pairs.

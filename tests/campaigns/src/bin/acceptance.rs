@@ -82,10 +82,8 @@ impl Table {
         bound: Bound,
     ) -> (usize, Option<Made>) {
         let start = Instant::now();
-        let made = meshwright::mesh(outline, parameters);
-        let time = start.elapsed();
-        drop(made);
         let judged = judge(outline, parameters);
+        let time = start.elapsed();
         let points = judged.points();
         let (word, reasons) = match &judged.verdict {
             Verdict::Kept => ("kept", Vec::new()),
