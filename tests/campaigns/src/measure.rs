@@ -4,8 +4,8 @@ use meshwright::predicates::{Side, side};
 use meshwright::{Mesh, Pslg, Region};
 
 use crate::plane::{
-    Point, angle, cross, direction, distance_of_segments, distance_to_segment, legs_overlap, minus,
-    segments_meet,
+    Point, angle, cross, direction, distance, distance_of_segments, distance_to_segment,
+    legs_overlap, minus, segments_meet,
 };
 
 /// θ* as ALGORITHM defines it before it is cut off at π/3: the smallest angle (radians) between
