@@ -79,16 +79,22 @@ impl Boxes {
     }
 
     /// The nearest item to a point, if one is nearer than the square root of `bound`: its number
-    /// and its squared distance, as `distance_squared` gives it.
+    /// and its squared distance, as `distance_squared` gives it. Each node visited is taken from
+    /// `budget`; the search ends where that is used up.
     pub fn nearest(
         &self,
         point: [f64; 2],
         mut bound: f64,
+        budget: &mut usize,
         mut distance_squared: impl FnMut(u32) -> f64,
     ) -> Option<(u32, f64)> {
         let mut nearest = None;
         let mut pending = vec![(0, 0, self.items.len())];
         while let Some((node, start, end)) = pending.pop() {
+            if *budget == 0 {
+                break;
+            }
+            *budget -= 1;
             if start == end || self.nodes[node].distance_squared(point) >= bound {
                 continue;
             }

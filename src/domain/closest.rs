@@ -5,6 +5,10 @@ use super::accurate::vector;
 use super::adjoining::other_end;
 use super::boxes::{Boxes, Rectangle};
 
+/// The search for the closest pair gives up after this many nodes of the tree for each point, on
+/// average. Outlines need about 50.
+const MOST_VISITS_PER_POINT: usize = 1000;
+
 /// A point and the nearest feature that does not contain it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClosestPair {
@@ -27,18 +31,20 @@ pub enum Feature {
 
 impl Domain {
     /// The closest pair of a point and a feature that does not contain it; of equally close ones
-    /// the first. Twice the least local feature size that a point has.
+    /// the first. Twice the least local feature size that a point has. `None` where the search
+    /// takes too long, as in a star of many spokes of unequal length.
     #[must_use]
     pub fn closest_pair(&self) -> Option<ClosestPair> {
         let features = Features::new(self);
+        let mut budget = MOST_VISITS_PER_POINT * self.points.len();
         let mut closest: Option<(u32, u32, f64)> = None;
         for point in 0..self.points.len() as u32 {
             let bound = closest.map_or(f64::INFINITY, |(_, _, squared)| squared);
-            if let Some((item, squared)) = features.nearest(point, bound) {
+            if let Some((item, squared)) = features.nearest(point, bound, &mut budget) {
                 closest = Some((point, item, squared));
             }
         }
-        closest.map(|(point, item, squared)| ClosestPair {
+        closest.filter(|_| budget > 0).map(|(point, item, squared)| ClosestPair {
             point,
             feature: features.distance_squared(point, item).1,
             distance: libm::scalbn(libm::sqrt(squared), self.scale_exponent),
@@ -67,9 +73,9 @@ impl<'a> Features<'a> {
     }
 
     /// The nearest item that does not contain a point, and their squared distance.
-    fn nearest(&self, point: u32, bound: f64) -> Option<(u32, f64)> {
+    fn nearest(&self, point: u32, bound: f64, budget: &mut usize) -> Option<(u32, f64)> {
         let place = self.domain.points[point as usize];
-        self.boxes.nearest(place, bound, |item| self.distance_squared(point, item).0)
+        self.boxes.nearest(place, bound, budget, |item| self.distance_squared(point, item).0)
     }
 
     /// The squared distance between a point and an item, and the part of the item that is nearest.

@@ -178,12 +178,13 @@ impl Clean<'_> {
             let ([ax, ay], [bx, by]) = (place(i), place(j));
             libm::hypot(ax - bx, ay - by)
         };
-        let nearest = |i: u32| {
+        let mut budget = usize::MAX;
+        let mut nearest = |i: u32| {
             let squared = |j: u32| match distance(i, j) {
                 _ if i == j => f64::INFINITY,
                 distance => distance * distance,
             };
-            boxes.nearest(place(i), f64::INFINITY, squared).map_or(i, |(j, _)| j)
+            boxes.nearest(place(i), f64::INFINITY, &mut budget, squared).map_or(i, |(j, _)| j)
         };
         let mut pairs: Vec<[u32; 2]> =
             indices.map(|i| (i, nearest(i))).map(|(i, j)| [i.min(j), i.max(j)]).collect();
