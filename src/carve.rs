@@ -1,69 +1,86 @@
 //! Exterior and holes out, regions in.
 
-use crate::domain::Domain;
+use crate::domain::{Domain, OUTSIDE};
 use crate::triangulation::initial::Initial;
-use crate::triangulation::{Edge, Triangle, Triangulation};
+use crate::triangulation::{Edge, Triangle, Triangulation, next, previous};
 
-/// The part of the initial triangulation that is meshed (ALGORITHM §7): what no flood from the
-/// outside or from a hole seed reaches without crossing a segment. Region `i + 1` is what a flood
-/// from region seed `i` reaches; where two seeds stand in one face the first wins.
+/// The part of the initial triangulation that is meshed (ALGORITHM §7): the triangles of meshed
+/// faces. Their region is 0, or `i + 1` for the domain's region `i`.
 #[must_use]
 pub fn carve(initial: Initial, domain: &Domain) -> Triangulation {
-    let mut gone = vec![false; initial.triangles.len()];
-    if !domain.hull {
-        let seeds = initial.open.iter().chain(initial.holes.iter().flatten());
-        for &seed in seeds {
-            flood(&initial.triangles, seed, &mut gone, |gone| !std::mem::replace(gone, true));
-        }
-    }
-    let mut regions = vec![0; initial.triangles.len()];
-    for (i, seed) in initial.regions.iter().enumerate() {
-        if let Some(seed) = *seed {
-            let number = i as u32 + 1;
-            flood(&initial.triangles, seed, &mut regions, |region| {
-                *region == 0 && std::mem::replace(region, number) == 0
-            });
-        }
-    }
-    keep(initial, &gone, &regions)
+    let faces = faces_of_triangles(&initial, domain);
+    let kept: Vec<usize> =
+        (0..faces.len()).filter(|&slot| domain.faces.is_meshed(faces[slot])).collect();
+    let triangles = renumbered(&initial.triangles, &kept);
+    let regions: Vec<u32> = kept
+        .iter()
+        .map(|&slot| domain.faces.region(faces[slot]).map_or(0, |region| region + 1))
+        .collect();
+    let any_region = regions.iter().any(|&region| region != 0);
+    Triangulation::new(initial.points, triangles, if any_region { regions } else { Vec::new() })
 }
 
-/// Visits everything that is reached from `seed` without crossing a subsegment and that `enter`
-/// is true of.
-fn flood<T>(
-    triangles: &[Triangle],
-    seed: u32,
-    marks: &mut [T],
-    mut enter: impl FnMut(&mut T) -> bool,
-) {
+/// The face of the domain that each triangle lies in: floods from the sides of every segment and
+/// from the open edges of the hull.
+fn faces_of_triangles(initial: &Initial, domain: &Domain) -> Vec<u32> {
+    let mut faces = vec![None; initial.triangles.len()];
+    for &slot in &initial.open {
+        flood(&initial.triangles, slot, OUTSIDE, &mut faces);
+    }
+    for (slot, triangle) in initial.triangles.iter().enumerate() {
+        let constrained = (0..3).filter(|&i| triangle.neighbors[i].is_constrained());
+        for i in constrained {
+            let ends = [next(i), previous(i)].map(|j| triangle.vertices[j]);
+            if let Some(face) = face_to_the_left(domain, initial, ends) {
+                flood(&initial.triangles, slot as u32, face, &mut faces);
+            }
+        }
+    }
+    faces.into_iter().map(|face| face.unwrap_or(OUTSIDE)).collect()
+}
+
+/// The face to the left of the segment from one vertex to another; `None` if there is none.
+fn face_to_the_left(domain: &Domain, initial: &Initial, ends: [u32; 2]) -> Option<u32> {
+    let [a, b] = ends.map(|v| initial.domain_points[v as usize]);
+    let fewer = if domain.adjoining(a).len() <= domain.adjoining(b).len() { a } else { b };
+    domain.adjoining(fewer).iter().find_map(|&segment| {
+        let [left, right] = domain.faces.sides(segment);
+        match domain.segments[segment as usize] {
+            forward if forward == [a, b] => Some(left),
+            backward if backward == [b, a] => Some(right),
+            _ => None,
+        }
+    })
+}
+
+/// Gives a face to every triangle that is reached from `seed` without crossing a segment.
+fn flood(triangles: &[Triangle], seed: u32, face: u32, faces: &mut [Option<u32>]) {
     let mut stack = vec![seed];
     while let Some(slot) = stack.pop() {
-        if enter(&mut marks[slot as usize]) {
+        if faces[slot as usize].is_none() {
+            faces[slot as usize] = Some(face);
             let across = triangles[slot as usize].neighbors.iter();
             stack.extend(across.filter(|edge| !edge.is_constrained()).map(|edge| edge.triangle()));
         }
     }
 }
 
-fn keep(initial: Initial, gone: &[bool], regions: &[u32]) -> Triangulation {
-    let kept: Vec<usize> = (0..gone.len()).filter(|&slot| !gone[slot]).collect();
-    let mut moved = vec![u32::MAX; gone.len()];
+/// The triangles in the slots that are `kept`, with nothing behind those that are not.
+fn renumbered(triangles: &[Triangle], kept: &[usize]) -> Vec<Triangle> {
+    let mut moved = vec![None; triangles.len()];
     for (new, &old) in kept.iter().enumerate() {
-        moved[old] = new as u32;
+        moved[old] = Some(new as u32);
     }
     let renumber = |edge: Edge| {
-        if edge.is_outside() || gone[edge.triangle() as usize] {
-            return Edge::OUTSIDE;
-        }
-        Edge::new(moved[edge.triangle() as usize], edge.index())
-            .constrained_if(edge.is_constrained())
+        let slot = if edge.is_outside() { None } else { moved[edge.triangle() as usize] };
+        slot.map_or(Edge::OUTSIDE, |slot| {
+            Edge::new(slot, edge.index()).constrained_if(edge.is_constrained())
+        })
     };
-    let triangles = kept.iter().map(|&slot| {
-        let Triangle { vertices, neighbors } = initial.triangles[slot];
-        Triangle { vertices, neighbors: neighbors.map(renumber) }
-    });
-    let triangles = triangles.collect();
-    let any_region = kept.iter().any(|&slot| regions[slot] != 0);
-    let regions = kept.iter().filter(|_| any_region).map(|&slot| regions[slot]).collect();
-    Triangulation::new(initial.points, triangles, regions)
+    kept.iter()
+        .map(|&slot| {
+            let Triangle { vertices, neighbors } = triangles[slot];
+            Triangle { vertices, neighbors: neighbors.map(renumber) }
+        })
+        .collect()
 }

@@ -2,7 +2,7 @@
 //!
 //! A construction only proposes; [`predicates`](crate::predicates) decide.
 
-use crate::double_double::{DoubleDouble, two_sum};
+use crate::double_double::{DoubleDouble, Expansion, two_sum};
 use crate::parameters::MinAngle;
 
 /// An angle from 0 to π, by its sine and cosine up to a common positive factor. So it can be
@@ -101,16 +101,35 @@ pub fn segment_length(x: [f64; 2], y: [f64; 2]) -> (f64, bool) {
 }
 
 /// The point of the segment from `x` to `y` at distance `d` from `x`: x + (d/|xy|)(y − x), each
-/// coordinate within 0.51 ulp of the exact one, at any depth.
+/// coordinate within 0.51 ulp of a point of the segment, at any depth.
 #[must_use]
 pub fn point_on_segment(x: [f64; 2], y: [f64; 2], d: f64) -> [f64; 2] {
     let ratio = DoubleDouble { hi: d, lo: 0.0 }.over(distance(x, y));
-    let coordinate = |i: usize| {
+    let mut point = [0, 1].map(|i| {
         let step = ratio.times(DoubleDouble::difference(y[i], x[i]));
         let sum = two_sum(x[i], step.hi);
         sum.hi + (sum.lo + step.lo)
-    };
-    [coordinate(0), coordinate(1)]
+    });
+    // Near zero the sum cancels to fewer digits than a double has: there the coordinate along
+    // which the segment runs farther is taken as it is, and the other one from the line itself.
+    if (0..2).any(|i| point[i].abs() < 2f64.powi(-44) * x[i].abs()) {
+        let along = usize::from((y[0] - x[0]).abs() < (y[1] - x[1]).abs());
+        point[1 - along] = on_line(x, y, along, point[along]);
+    }
+    point
+}
+
+/// The other coordinate of the point of the line through `x` and `y` whose coordinate `along` is
+/// `c`: (x_o (y_a − x_a) + (c − x_a)(y_o − x_o)) / (y_a − x_a), the sum exact.
+fn on_line(x: [f64; 2], y: [f64; 2], along: usize, c: f64) -> f64 {
+    let other = 1 - along;
+    let run = DoubleDouble::difference(y[along], x[along]);
+    let rise = DoubleDouble::difference(y[other], x[other]);
+    let step = DoubleDouble::difference(c, x[along]);
+    let mut sum = Expansion::default();
+    sum.add_product(DoubleDouble { hi: x[other], lo: 0.0 }, run);
+    sum.add_product(step, rise);
+    sum.value().over(run).hi
 }
 
 /// The distance from one double to the next at the magnitude of `m` (finite).
@@ -139,6 +158,16 @@ mod tests {
     #[test]
     fn the_middle_of_a_segment_is_its_middle() {
         assert_eq!(point_on_segment([1.0, 1.0], [4.0, 5.0], 2.5), [2.5, 3.0]);
+    }
+
+    #[test]
+    fn a_point_near_zero_is_on_its_segment_to_its_own_last_bit() {
+        // Through the origin but for rounding: the middle is 5e-18 away from it.
+        let (x, y) = ([-0.3, -0.1], [0.3, 0.1f64.next_up()]);
+        let [px, py] = point_on_segment(x, y, (0.09f64 + 0.01).sqrt());
+        let slope = 2f64.powi(-56) / 0.6 * (0.3 + px) + (px / 3.0);
+        assert!(py.abs() < 1e-16 && px.abs() < 1e-16, "{px} {py}");
+        assert!((py - slope).abs() < 1e-17, "{py} {slope}");
     }
 
     #[test]

@@ -68,6 +68,49 @@ fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
+/// An exact sum of doubles as non-overlapping components of increasing magnitude
+/// (Shewchuk 1997, *Grow-Expansion*).
+#[derive(Default)]
+pub(crate) struct Expansion {
+    components: [f64; 16],
+    length: usize,
+}
+
+impl Expansion {
+    /// Adds the exact product of two sums: eight components.
+    pub fn add_product(&mut self, u: DoubleDouble, v: DoubleDouble) {
+        for (s, t) in [(u.hi, v.hi), (u.hi, v.lo), (u.lo, v.hi), (u.lo, v.lo)] {
+            let product = DoubleDouble::product(s, t);
+            self.add(product.lo);
+            self.add(product.hi);
+        }
+    }
+
+    fn add(&mut self, value: f64) {
+        let mut rest = value;
+        for component in &mut self.components[..self.length] {
+            let sum = two_sum(rest, *component);
+            *component = sum.lo;
+            rest = sum.hi;
+        }
+        self.components[self.length] = rest;
+        self.length += 1;
+    }
+
+    /// The largest component that is not zero: it has the sign of the whole sum.
+    pub fn leading(&self) -> f64 {
+        let components = &self.components[..self.length];
+        components.iter().rev().copied().find(|&c| c != 0.0).unwrap_or(0.0)
+    }
+
+    /// The sum, rounded.
+    pub fn value(&self) -> DoubleDouble {
+        let zero = DoubleDouble { hi: 0.0, lo: 0.0 };
+        let components = self.components[..self.length].iter();
+        components.fold(zero, |sum, &c| sum.plus(DoubleDouble { hi: c, lo: 0.0 }))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

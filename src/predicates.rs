@@ -9,7 +9,7 @@
 
 use robust::Coord;
 
-use crate::double_double::{DoubleDouble, two_sum};
+use crate::double_double::{DoubleDouble, Expansion};
 
 /// Where a point lies, seen along a directed line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -122,40 +122,9 @@ fn exact_dot_sign(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     for i in 0..2 {
         let u = DoubleDouble::difference(a[i], p[i]);
         let v = DoubleDouble::difference(b[i], p[i]);
-        for (s, t) in [(u.hi, v.hi), (u.hi, v.lo), (u.lo, v.hi), (u.lo, v.lo)] {
-            let product = DoubleDouble::product(s, t);
-            sum.add(product.lo);
-            sum.add(product.hi);
-        }
+        sum.add_product(u, v);
     }
     sum.leading()
-}
-
-/// An exact sum of doubles as non-overlapping components of increasing magnitude
-/// (Shewchuk 1997, *Grow-Expansion*).
-#[derive(Default)]
-struct Expansion {
-    components: [f64; 16],
-    length: usize,
-}
-
-impl Expansion {
-    fn add(&mut self, value: f64) {
-        let mut rest = value;
-        for component in &mut self.components[..self.length] {
-            let sum = two_sum(rest, *component);
-            *component = sum.lo;
-            rest = sum.hi;
-        }
-        self.components[self.length] = rest;
-        self.length += 1;
-    }
-
-    /// The largest component that is not zero: it has the sign of the whole sum.
-    fn leading(&self) -> f64 {
-        let components = &self.components[..self.length];
-        components.iter().rev().copied().find(|&c| c != 0.0).unwrap_or(0.0)
-    }
 }
 
 fn coord([x, y]: [f64; 2]) -> Coord<f64> {

@@ -120,7 +120,7 @@ pub fn mesh_with(
     let (domain, warnings) = Domain::new(pslg, parameters.region)?;
     let mut initial = triangulate(&domain)?;
     let domain_points = std::mem::take(&mut initial.domain_points);
-    let precision = Precision::at(largest_coordinate(&initial.points));
+    let precision = Precision { ulp: domain.ulp, floor: domain.floor() };
     let segments = Segments::of(&domain, &domain_points, precision.floor);
     let sizing = sizing(parameters, &domain);
     let carved = carve(initial, &domain);
@@ -145,8 +145,4 @@ fn sizing(parameters: &Parameters, domain: &Domain) -> Sizing {
     let max_area = parameters.max_area.map(|a| libm::scalbn(a, -2 * domain.scale_exponent));
     let of_regions: Vec<_> = domain.regions.iter().map(|region| region.max_area).collect();
     Sizing::new(max_area, &of_regions)
-}
-
-fn largest_coordinate(points: &[[f64; 2]]) -> f64 {
-    points.iter().flatten().fold(0.0, |largest: f64, c| largest.max(c.abs()))
 }

@@ -72,15 +72,6 @@ pub struct Precision {
     pub floor: f64,
 }
 
-impl Precision {
-    /// The precision of coordinates up to `largest` in magnitude.
-    #[must_use]
-    pub fn at(largest: f64) -> Self {
-        let ulp = crate::constructions::ulp(largest);
-        Self { ulp, floor: 4096.0 * ulp }
-    }
-}
-
 /// What was refused at the precision floor.
 #[derive(Debug, Clone, Default)]
 pub struct Refused {

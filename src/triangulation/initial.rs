@@ -1,8 +1,6 @@
 //! The initial constrained triangulation: the only door to `spade`.
 
-use spade::{
-    ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation as _,
-};
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 
 use super::{Edge, Triangle};
 use crate::corners::previous;
@@ -20,10 +18,6 @@ pub struct Initial {
     pub triangles: Vec<Triangle>,
     /// The triangles at an edge of the convex hull that is no segment.
     pub open: Vec<u32>,
-    /// The triangle that holds each hole seed; `None` for one outside the hull.
-    pub holes: Vec<Option<u32>>,
-    /// The triangle that holds each region seed; `None` for one outside the hull.
-    pub regions: Vec<Option<u32>>,
 }
 
 /// Why there is no initial triangulation.
@@ -58,15 +52,8 @@ pub fn triangulate(domain: &Domain) -> Result<Initial, Error> {
     if triangles.iter().any(|t| !counter_clockwise(t, &points)) {
         return Err(Error::Range);
     }
-    let slot_at = |seed: [f64; 2]| locate(&cdt, seed).map(|face| slots[face]);
-    Ok(Initial {
-        open: open_to_the_outside(&cdt).map(|face| slots[face]).collect(),
-        holes: domain.holes.iter().map(|&seed| slot_at(seed)).collect(),
-        regions: domain.regions.iter().map(|region| slot_at(region.seed)).collect(),
-        points,
-        domain_points,
-        triangles,
-    })
+    let open = open_to_the_outside(&cdt).map(|face| slots[face]).collect();
+    Ok(Initial { points, domain_points, triangles, open })
 }
 
 /// The segments by the new numbers of their points.
@@ -139,24 +126,6 @@ fn open_to_the_outside(cdt: &Cdt) -> impl Iterator<Item = usize> + '_ {
 fn counter_clockwise(triangle: &Triangle, points: &[[f64; 2]]) -> bool {
     let [a, b, c] = triangle.vertices.map(|v| points[v as usize]);
     side(a, b, c) == Side::Left
-}
-
-/// The face that holds a seed; for one on an edge, either face there.
-fn locate(cdt: &Cdt, seed: [f64; 2]) -> Option<usize> {
-    let face = match cdt.locate(position(seed)) {
-        PositionInTriangulation::OnFace(face) => Some(cdt.face(face)),
-        PositionInTriangulation::OnEdge(edge) => {
-            let edge = cdt.directed_edge(edge);
-            [edge.face(), edge.rev().face()].into_iter().find_map(|face| face.as_inner())
-        }
-        PositionInTriangulation::OnVertex(vertex) => {
-            let mut around = cdt.vertex(vertex).out_edges();
-            around.find_map(|edge| edge.face().as_inner())
-        }
-        PositionInTriangulation::OutsideOfConvexHull(_)
-        | PositionInTriangulation::NoTriangulation => None,
-    };
-    face.map(|face| face.index())
 }
 
 /// The indices of the points in their order along a Hilbert curve through their bounding square,
