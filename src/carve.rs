@@ -2,7 +2,8 @@
 
 use crate::domain::{Domain, OUTSIDE};
 use crate::triangulation::initial::Initial;
-use crate::triangulation::{Edge, Triangle, Triangulation, next, previous};
+use crate::corners::{next, previous};
+use crate::triangulation::{Edge, Triangle, Triangulation};
 
 /// The part of the initial triangulation that is meshed (ALGORITHM §7): the triangles of meshed
 /// faces. Their region is 0, or `i + 1` for the domain's region `i`.

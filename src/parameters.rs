@@ -147,6 +147,6 @@ pub enum Region {
     /// What the segments enclose, less the holes. Without segments: the convex hull.
     #[default]
     Domain,
-    /// The whole convex hull.
+    /// The whole convex hull, less the holes.
     Hull,
 }

@@ -118,8 +118,8 @@ pub fn mesh_with(
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Outcome, Error> {
     let (domain, warnings) = Domain::new(pslg, parameters.region)?;
-    let mut initial = triangulate(&domain)?;
-    let domain_points = std::mem::take(&mut initial.domain_points);
+    let initial = triangulate(&domain)?;
+    let domain_points = initial.domain_points.clone();
     let precision = Precision { ulp: domain.ulp, floor: domain.floor() };
     let segments = Segments::of(&domain, &domain_points, precision.floor);
     let sizing = sizing(parameters, &domain);

@@ -150,7 +150,8 @@ impl Clean<'_> {
     fn report_left_out(&self, faces: &Faces, points: &[bool], warnings: &mut Vec<Warning>) {
         let of_input = |input: &[u32], is_out: &dyn Fn(u32) -> bool| -> Vec<u32> {
             let indices = (0..input.len() as u32).filter(|&index| is_out(index));
-            indices.map(|index| input[index as usize]).collect()
+            // A hull edge that the outline lacks is nobody's loss.
+            indices.map(|index| input[index as usize]).filter(|&input| input != u32::MAX).collect()
         };
         let segments = of_input(self.input_segments, &|segment| {
             faces.sides(segment).iter().all(|&face| !faces.is_meshed(face))
