@@ -9,6 +9,7 @@
 //! the theorem asks for edges that are shorter than φ, which are refused.
 
 use std::cmp::Ordering;
+use std::f64::consts::FRAC_PI_3;
 
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
@@ -46,7 +47,8 @@ impl Floor {
                     let h = spokes[(i + j) % spokes.len()];
                     let theta = outline.angle(g, h).radians();
                     let reach = reach(theta, complex.frame.ulp);
-                    if reach <= nearest || outline.turns_back(g, h) {
+                    let is_wide = theta > FRAC_PI_3;
+                    if reach <= nearest || (is_wide && j > 1) || outline.turns_back(g, h) {
                         break;
                     }
                     floor.mark(outline, complex, chains, Stretch { x, g, h, theta, reach });
@@ -85,23 +87,17 @@ impl Floor {
         }
     }
 
-    /// Marks what is within 4φ of `v`: as far as edges may be refused.
+    /// Marks `v` and its neighbours within 4φ: as far as edges may be refused.
     fn mark_narrow(&mut self, complex: &Complex, v: u32, narrow: Narrow) {
         let reach = 4.0 * FLOOR * complex.frame.ulp;
-        let mut found = vec![v];
-        let mut i = 0;
-        while i < found.len() {
-            for w in complex.around(found[i]) {
-                if distance(complex.at(v), complex.at(w)) < reach && !found.contains(&w) {
-                    found.push(w);
-                }
+        self.limited[v as usize] = true;
+        for w in complex.around(v) {
+            if distance(complex.at(v), complex.at(w)) < reach {
+                self.limited[w as usize] = true;
             }
-            i += 1;
         }
-        for w in found {
-            self.limited[w as usize] = true;
-        }
-        if !self.narrows.contains(&narrow) {
+        // (A gap is found once from either side.)
+        if self.narrows.last() != Some(&narrow) {
             self.narrows.push(narrow);
         }
     }
@@ -123,7 +119,8 @@ impl Floor {
         if found.is_empty() {
             return;
         }
-        // Then what is strictly between the two, from neighbour to neighbour.
+        // Then what is strictly between the two, from neighbour to neighbour. (At a
+        // wide angle only what lies on the two.)
         let [p, q] = [g, h].map(|half| outline.points[outline.target(half) as usize]);
         let between = |v: u32| {
             let at = complex.at(v);
@@ -133,7 +130,7 @@ impl Floor {
         let mut seen: Vec<u32> = found.clone();
         seen.sort_unstable();
         let mut i = 0;
-        while i < found.len() {
+        while i < found.len() && theta <= FRAC_PI_3 {
             for w in complex.around(found[i]) {
                 if let Err(place) = seen.binary_search(&w)
                     && near(w)
