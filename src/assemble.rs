@@ -1,16 +1,20 @@
 //! From the refined triangulation to the mesh that is written.
 
+use crate::attributes::interpolate;
 use crate::domain::Domain;
 use crate::formats::{Mesh, Pslg, Tag};
 use crate::refine::Refinement;
+use crate::triangulation::Triangle;
 
 /// The mesh of a refinement, in the outline's own coordinates, numbers and tags.
 ///
+/// `initial` are the triangles before carving (needed where points have attributes);
 /// `domain_points` tells which point of the domain each of the first vertices is. Vertices that no
 /// triangle uses (points of the outline outside the meshed region) are left out.
 #[must_use]
 pub fn assemble(
     refinement: &Refinement,
+    initial: &[Triangle],
     domain_points: &[u32],
     domain: &Domain,
     pslg: &Pslg,
@@ -40,6 +44,14 @@ pub fn assemble(
             .map(|edge| domain.input_segments[edge.segment as usize])
             .collect(),
         groups: pslg.groups.clone(),
+        point_data: interpolate(
+            &pslg.point_attributes,
+            initial,
+            refinement,
+            domain,
+            domain_points,
+            &order,
+        ),
         ..Mesh::default()
     }
 }

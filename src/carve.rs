@@ -1,8 +1,8 @@
 //! Exterior and holes out, regions in.
 
+use crate::corners::{next, previous};
 use crate::domain::{Domain, OUTSIDE};
 use crate::triangulation::initial::Initial;
-use crate::corners::{next, previous};
 use crate::triangulation::{Edge, Triangle, Triangulation};
 
 /// The part of the initial triangulation that is meshed (ALGORITHM §7): the triangles of meshed

@@ -112,7 +112,7 @@ pub fn point_on_segment(x: [f64; 2], y: [f64; 2], d: f64) -> [f64; 2] {
     });
     // Near zero the sum cancels to fewer digits than a double has: there the coordinate along
     // which the segment runs farther is taken as it is, and the other one from the line itself.
-    if (0..2).any(|i| point[i].abs() < 2f64.powi(-44) * x[i].abs()) {
+    if (0..2).any(|i| point[i].abs() * ((1_u64 << 44) as f64) < x[i].abs()) {
         let along = usize::from((y[0] - x[0]).abs() < (y[1] - x[1]).abs());
         point[1 - along] = on_line(x, y, along, point[along]);
     }
@@ -130,13 +130,6 @@ fn on_line(x: [f64; 2], y: [f64; 2], along: usize, c: f64) -> f64 {
     sum.add_product(DoubleDouble { hi: x[other], lo: 0.0 }, run);
     sum.add_product(step, rise);
     sum.value().over(run).hi
-}
-
-/// The distance from one double to the next at the magnitude of `m` (finite).
-#[must_use]
-pub fn ulp(m: f64) -> f64 {
-    let m = m.abs();
-    m.next_up() - m
 }
 
 #[cfg(test)]

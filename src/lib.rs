@@ -4,6 +4,7 @@ pub use meshwright_formats as formats;
 pub use meshwright_formats::{Mesh, Pslg};
 
 mod assemble;
+mod attributes;
 mod carve;
 pub mod certify;
 pub mod constructions;

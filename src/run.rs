@@ -120,7 +120,9 @@ pub fn mesh_with(
     let (domain, warnings) = Domain::new(pslg, parameters.region)?;
     let initial = triangulate(&domain)?;
     let domain_points = initial.domain_points.clone();
-    let precision = Precision { ulp: domain.ulp, floor: domain.floor() };
+    let has_attributes = !pslg.point_attributes.is_empty();
+    let kept = if has_attributes { initial.triangles.clone() } else { Vec::new() };
+    let precision = Precision::of(&domain);
     let segments = Segments::of(&domain, &domain_points, precision.floor);
     let sizing = sizing(parameters, &domain);
     let carved = carve(initial, &domain);
@@ -130,7 +132,7 @@ pub fn mesh_with(
     if end == End::Cancelled {
         return Err(Error::Cancelled);
     }
-    let mesh = assemble(&refinement, &domain_points, &domain, pslg);
+    let mesh = assemble(&refinement, &kept, &domain_points, &domain, pslg);
     Ok(Outcome {
         certificate: certify(pslg, &mesh, &Promise::from(parameters)),
         mesh,

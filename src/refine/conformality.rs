@@ -118,7 +118,7 @@ impl Refinement<'_> {
         let ends = self.segments.ends[segment as usize];
         let [from, to] =
             [split.apex, 1 - split.apex].map(|e| points[ends[usize::from(e)] as usize]);
-        let point = point_on_segment(from, to, split.distance);
+        let point = self.precision.round(point_on_segment(from, to, split.distance));
 
         let floor = self.precision.floor;
         let too_short =

@@ -27,6 +27,7 @@ pub mod steiner;
 use std::collections::{BTreeSet, VecDeque};
 use std::ops::ControlFlow;
 
+use crate::domain::Domain;
 use crate::parameters::{Parameters, Rule, Steiner};
 use crate::triangulation::{Cavity, Triangulation};
 use provenance::Provenances;
@@ -70,6 +71,27 @@ pub struct Precision {
     pub ulp: f64,
     /// φ = 2^12·ulp(M): no split makes a shorter piece, no Steiner point is nearer to a vertex.
     pub floor: f64,
+    /// The step between subnormal numbers of the output, in the domain's scale: new coordinates
+    /// are multiples of it, so that what is tested is what is written.
+    pub quantum: f64,
+}
+
+impl Precision {
+    /// The precision of a domain.
+    #[must_use]
+    pub fn of(domain: &Domain) -> Self {
+        let quantum = libm::scalbn(1.0, -1074 - domain.scale_exponent);
+        Self { ulp: domain.ulp, floor: domain.floor(), quantum }
+    }
+
+    /// A new point as the output can hold it.
+    fn round(self, point: [f64; 2]) -> [f64; 2] {
+        // From 2^52 steps on every double is a multiple.
+        let coarse = |c: f64| c.abs() < self.quantum * (1_u64 << 52) as f64;
+        point.map(
+            |c| if coarse(c) { (c / self.quantum).round_ties_even() * self.quantum } else { c },
+        )
+    }
 }
 
 /// What was refused at the precision floor.
@@ -239,7 +261,7 @@ impl<'a> Refinement<'a> {
         };
         self.leave_room()?;
         let corners = self.mesh.corners(entry.slot);
-        let point = steiner::point(self.parameters, corners, trigger);
+        let point = self.precision.round(steiner::point(self.parameters, corners, trigger));
         if self.cavity.of_steiner_point(&self.mesh, point, entry.slot).is_err() {
             self.refused.triangles.push(entry);
             return ControlFlow::Continue(());
