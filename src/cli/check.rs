@@ -54,7 +54,8 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         None => certify::certify_alone(mesh, &promise),
     };
     if arguments.json {
-        print(&json::check(&read, &Statistics::of(mesh), &certificate))?;
+        let statistics = Statistics::of(mesh);
+        print(&json::check(&read, &statistics, &certificate, voice.warnings()))?;
     } else if !voice.quiet {
         print(certificate.to_string().as_bytes())?;
         if voice.verbose {

@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         Content::Outline(pslg) => {
             let facts = OutlineFacts::of(pslg);
             if arguments.json {
-                json::outline_info(&input, pslg, &facts)
+                json::outline_info(&input, pslg, &facts, voice.warnings())
             } else {
                 outline(&input, pslg, &facts).into_bytes()
             }
@@ -68,7 +68,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         Content::Mesh(mesh) => {
             let statistics = Statistics::of(mesh);
             if arguments.json {
-                json::mesh_info(&input, &statistics)
+                json::mesh_info(&input, &statistics, voice.warnings())
             } else {
                 self::mesh(&input, mesh, &statistics).into_bytes()
             }

@@ -3,7 +3,7 @@
 //! Numbers that JSON cannot hold (an area that overflows) are null. Indices count from zero;
 //! *numbers* are those of the user's files. Angles are in degrees.
 
-use meshwright::certify::{Certificate, Fault, Judgement, Promise, Verdict};
+use meshwright::certify::{Certificate, Fault, Judgement, NarrowTo, Promise, Verdict};
 use meshwright::domain::{self, Angle, ClosestPair, Domain, Feature};
 use meshwright::formats::Pslg;
 use meshwright::refine::End;
@@ -108,10 +108,18 @@ fn parameters(parameters: &Parameters) -> Value {
 }
 
 /// The answer of `info` about an outline.
-pub fn outline_info(input: &Input, pslg: &Pslg, facts: &OutlineFacts) -> Vec<u8> {
+pub fn outline_info(
+    input: &Input,
+    pslg: &Pslg,
+    facts: &OutlineFacts,
+    mut warnings: Vec<String>,
+) -> Vec<u8> {
     let mut object = header("info");
     object.extend(file(input));
     object.insert("outline".into(), outline(pslg, facts));
+    let of_domain = facts.domain.iter().flat_map(|facts| &facts.warnings);
+    warnings.extend(of_domain.map(ToString::to_string));
+    object.insert("warnings".into(), json!(warnings));
     finished(object)
 }
 
@@ -140,7 +148,6 @@ fn outline(pslg: &Pslg, facts: &OutlineFacts) -> Value {
         "area": clean.map(|facts| facts.domain.area()),
         "groups": groups(&facts.groups),
         "ready": error.is_none(),
-        "warnings": clean.map_or_else(Vec::new, |facts| texts(&facts.warnings)),
         "error": error.map(ToString::to_string),
         "places": places,
     })
@@ -175,10 +182,11 @@ fn segment_number(segment: u32, domain: &Domain, pslg: &Pslg) -> Option<i64> {
 }
 
 /// The answer of `info` about a mesh.
-pub fn mesh_info(input: &Input, statistics: &Statistics) -> Vec<u8> {
+pub fn mesh_info(input: &Input, statistics: &Statistics, warnings: Vec<String>) -> Vec<u8> {
     let mut object = header("info");
     object.extend(file(input));
     object.insert("mesh".into(), mesh(statistics));
+    object.insert("warnings".into(), json!(warnings));
     finished(object)
 }
 
@@ -210,11 +218,17 @@ fn mesh(statistics: &Statistics) -> Value {
 }
 
 /// The verdict of `check`.
-pub fn check(input: &Input, statistics: &Statistics, certificate: &Certificate) -> Vec<u8> {
+pub fn check(
+    input: &Input,
+    statistics: &Statistics,
+    certificate: &Certificate,
+    warnings: Vec<String>,
+) -> Vec<u8> {
     let mut object = header("check");
     object.extend(file(input));
     object.insert("mesh".into(), mesh(statistics));
     object.insert("certificate".into(), self::certificate(certificate));
+    object.insert("warnings".into(), json!(warnings));
     finished(object)
 }
 
@@ -239,6 +253,19 @@ fn certificate(certificate: &Certificate) -> Value {
             "reach": apex.reach,
             "place": apex.place,
         })).collect::<Vec<_>>(),
+        "narrows": certificate.narrows.iter().map(|narrow| {
+            let (other, segment) = match narrow.to {
+                NarrowTo::Point(point) => (Some(point.number), None),
+                NarrowTo::Segment(segment) => (None, Some(segment.number)),
+            };
+            json!({
+                "point": narrow.point.number,
+                "other_point": other,
+                "segment": segment,
+                "gap": narrow.gap,
+                "place": narrow.place,
+            })
+        }).collect::<Vec<_>>(),
         "limited_triangles": certificate.limited_triangles,
         "not_judged": certificate.not_judged,
     })
@@ -292,10 +319,6 @@ fn fault(fault: &Fault) -> Value {
 fn groups(groups: &[GroupCount]) -> Vec<Value> {
     let group = |group: &GroupCount| json!({ "dim": group.dim, "tag": group.tag, "name": group.name, "count": group.count });
     groups.iter().map(group).collect()
-}
-
-fn texts(messages: &[impl ToString]) -> Vec<String> {
-    messages.iter().map(ToString::to_string).collect()
 }
 
 fn header(command: &str) -> Map<String, Value> {

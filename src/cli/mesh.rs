@@ -5,10 +5,11 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use meshwright::domain;
 use meshwright::formats::groups::Note;
 use meshwright::formats::{Mesh, gltf, msh, vtu};
 use meshwright::refine::End;
-use meshwright::{Error, Outcome, Parameters, Rule, Splitting, Steiner, mesh_with};
+use meshwright::{Error, Outcome, Parameters, Rule, Splitting, Steiner, Warning, mesh_with};
 
 use super::failure::{Exit, Failure};
 use super::format::{Format, listed};
@@ -89,6 +90,9 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let took = line.finish();
     let outcome = meshed.map_err(failure)?;
     outcome.warnings.iter().for_each(|warning| voice.warn(warning));
+    if outcome.certificate.limited() && !outcome.warnings.iter().any(is_about_precision) {
+        voice.warn("where segments nearly coincide the mesh is limited by precision");
+    }
 
     let summary = Summary::new(&pslg, &outcome);
     summary.say_mesh(&input.name, took, voice);
@@ -237,6 +241,10 @@ fn say_notes(notes: Notes, voice: &Voice) {
         }
         voice.note(format!("{files}: {}", texts.join("; ")));
     }
+}
+
+fn is_about_precision(warning: &Warning) -> bool {
+    matches!(warning, Warning::Domain(domain::Warning::LimitedByPrecision { .. }))
 }
 
 fn failure(error: Error) -> Failure {

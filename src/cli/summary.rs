@@ -5,6 +5,7 @@ use std::time::Duration;
 use meshwright::Outcome;
 use meshwright::certify::ExcusedAngle;
 use meshwright::formats::Pslg;
+use meshwright::refine::End;
 use meshwright::statistics::{Statistics, smallest_angle_but};
 
 use super::format::Format;
@@ -107,19 +108,19 @@ impl<'a> Summary<'a> {
 
     fn say_certificate(&self, voice: &Voice) {
         let certificate = &self.outcome.certificate;
-        if !certificate.holds() {
-            say(voice, "FAILS", "the judge found what must not be:");
-            certificate.to_string().lines().for_each(|line| say(voice, "", line));
-        } else if certificate.limited() {
-            say(
-                voice,
-                "certified",
-                "conforming; limited by precision where segments nearly coincide",
-            );
-            certificate.to_string().lines().for_each(|line| say(voice, "", line));
-        } else {
-            say(voice, "certified", "conforming, Delaunay, every angle accounted for");
-        }
+        let (label, text) = match (self.outcome.end, certificate.holds()) {
+            (End::PointBudget, _) => ("stopped", "at --max-points, so not everything is kept:"),
+            (_, false) => ("FAILS", "the judge found what must not be:"),
+            _ if certificate.limited() => {
+                ("certified", "but for places where segments nearly coincide:")
+            }
+            _ => {
+                say(voice, "certified", "conforming, Delaunay, every angle accounted for");
+                return;
+            }
+        };
+        say(voice, label, text);
+        certificate.to_string().lines().for_each(|line| say(voice, "", line));
     }
 }
 

@@ -47,6 +47,19 @@ fn the_report_holds_no_clock() {
 }
 
 #[test]
+fn a_needle_at_the_end_of_doubles_is_reported_as_the_schema_says() {
+    // Two segments at 1e-9 rad, slanted so that nothing is exact.
+    let needle = "7 2\n1 0 0\n2 0.955336489125606 0.29552020666133955\n3 0.7929292857289711 0.24528177232184115\n\
+                  4 -1 -1\n5 2 -1\n6 2 2\n7 -1 2\n\
+                  6 0\n1 1 2\n2 1 3\n3 4 5\n4 5 6\n5 6 7\n6 7 4\n0\n";
+    let bench = Bench::with("json-needle", "needle.poly", needle);
+    let report = report(&bench.succeeds("mesh needle.poly --json"));
+    assert_eq!(report["certificate"]["limited_by_precision"], true);
+    assert_eq!(report["certificate"]["apexes"][0]["point"], 1);
+    assert_eq!(bench.run("mesh needle.poly --strict").code, Some(4));
+}
+
+#[test]
 fn check_reports_as_the_schema_says() {
     let bench = Bench::with("json-check", "two.msh", TWO);
     bench.put("square.poly", SQUARE);
@@ -65,8 +78,6 @@ fn info_reports_as_the_schema_says() {
     let bench = Bench::with("json-info", "square.poly", SQUARE);
     bench.put("two.msh", TWO);
     bench.put("site.poly", CROSSING);
-    bench.put("empty.poly", "0 2 0 0\n0 0\n0\n");
-    bench.put("empty.node", "0 2 0 0\n");
     let clean = report(&bench.succeeds("info square.poly --json"));
     assert_eq!(clean["outline"]["ready"], true);
     assert_eq!(clean["outline"]["area"], 1.0);
@@ -74,6 +85,10 @@ fn info_reports_as_the_schema_says() {
     assert_eq!(unclean["outline"]["ready"], false);
     assert_eq!(unclean["outline"]["places"][0][0], 0.5);
     assert_eq!(report(&bench.succeeds("info two.msh --json"))["mesh"]["triangles"], 2);
+
+    bench.put("lone.poly", SQUARE.replace("0.5 0.5 7 -1", "0.5 0.5 7"));
+    let warned = report(&bench.succeeds("info lone.poly --json"));
+    assert_eq!(warned["warnings"].as_array().map(Vec::len), Some(1));
 }
 
 #[test]
