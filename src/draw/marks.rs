@@ -1,5 +1,6 @@
 //! What a picture points out: excused angles, triangles limited by precision, faults.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use super::Mark;
@@ -32,15 +33,16 @@ pub fn draw_triangles(marks: &[Mark], frame: &Frame, page: &mut String) {
 pub fn draw(marks: &[Mark], frame: &Frame, page: &mut String, legend: &mut Legend) {
     let mut fault = 0;
     let (mut any_excused, mut any_limited) = (false, false);
+    let mut rings = BTreeSet::new();
     for mark in marks {
         match mark {
             Mark::Excused(triangle) => {
                 any_excused = true;
-                ring_if_small(triangle, frame, palette::EXCUSED, page);
+                ring_if_small(triangle, frame, palette::EXCUSED, &mut rings, page);
             }
             Mark::Limited(triangle) => {
                 any_limited = true;
-                ring_if_small(triangle, frame, palette::LIMITED, page);
+                ring_if_small(triangle, frame, palette::LIMITED, &mut rings, page);
             }
             Mark::Fault { place, text } => {
                 fault += 1;
@@ -61,14 +63,22 @@ pub fn draw(marks: &[Mark], frame: &Frame, page: &mut String, legend: &mut Legen
     }
 }
 
-fn ring_if_small(triangle: &[[f64; 2]; 3], frame: &Frame, colour: &str, page: &mut String) {
+/// A ring around a triangle that is too small to be seen, unless one of its colour is there.
+fn ring_if_small(
+    triangle: &[[f64; 2]; 3],
+    frame: &Frame,
+    colour: &'static str,
+    rings: &mut BTreeSet<(&'static str, [i64; 2])>,
+    page: &mut String,
+) {
     let corners = triangle.map(|corner| frame.pixel(corner));
     let middle = [0, 1].map(|axis| corners.iter().map(|c| c[axis]).sum::<f64>() / 3.0);
     let reach = corners
         .iter()
         .flat_map(|corner| [0, 1].map(|axis| (corner[axis] - middle[axis]).abs()))
         .fold(0.0, f64::max);
-    if frame.shows(middle) && reach < SMALL / 2.0 {
+    let cell = middle.map(|value| (value / RING).round() as i64);
+    if frame.shows(middle) && reach < SMALL / 2.0 && rings.insert((colour, cell)) {
         ring(middle, colour, page);
     }
 }

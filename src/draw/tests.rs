@@ -139,6 +139,14 @@ fn faults_are_numbered_and_explained() {
 }
 
 #[test]
+fn many_tiny_triangles_in_one_place_share_a_ring() {
+    let tiny = |x: f64| Mark::Excused([[x, 0.5], [x + 1e-5, 0.5], [x, 0.5 + 1e-5]]);
+    let marks = (0..50).map(|i| tiny(0.5 + 1e-6 * f64::from(i))).collect();
+    let svg = svg_of(&square(), &Options { marks, legend: false, ..Options::default() });
+    assert_eq!(svg.matches("<circle").count(), 2, "{svg}");
+}
+
+#[test]
 fn seeds_are_drawn_with_their_regions_name() {
     let region = Region { seed: [0.2, 0.2], tag: 3, attribute: 3.0, max_area: None };
     let pslg = Pslg {
