@@ -1,8 +1,12 @@
 //! G5, G6 and G7: Lemma 7 and Corollary 3 for every angle of the mesh.
 //!
-//! Angles are compared by cross and dot product. The bounds carry the stated relative slack of
-//! 1e-7 (equality occurs), so rounding in the comparison cannot matter where an angle is large;
-//! small ones are computed again from products of 100 bits.
+//! Angles are compared by cross and dot product. The bounds carry a stated relative slack: 1e-7
+//! (equality occurs), so rounding in the comparison cannot matter where an angle is large; small
+//! ones are computed again from products of 100 bits. Where an angle is compared with f(θ) the
+//! slack is 1e-7 + 1.5·ulp(M)/|ab|: the bound is met with equality by points that are then rounded
+//! to the coordinates of the output, each by up to 0.51 ulp, which turns the edge ab opposite the
+//! angle by that much of itself (ALGORITHM §8 states 1e-7 alone; far from the origin the rounding
+//! is more).
 
 use std::f64::consts::PI;
 
@@ -16,6 +20,10 @@ use crate::parameters::MinAngle;
 
 /// "Equality occurs: stated relative slack 1e-7" (ALGORITHM §8).
 const SLACK: f64 = 1e-7;
+
+/// How much rounding its two ends may shorten the edge opposite an angle, in ulp(M): each by
+/// 0.51·√2.
+const ROUNDING: f64 = 1.5;
 
 /// What the angles of a mesh are.
 #[derive(Default)]
@@ -158,7 +166,7 @@ impl Suspect<'_, '_> {
             return g5.add_unless(self.is_limited(), self.fault(FaultKind::UnexcusedAngle));
         };
         let bound = theta.lemma_7();
-        if self.angle < bound * (1.0 - SLACK) {
+        if self.angle < bound * (1.0 - self.slack()) {
             let fault = self.fault(FaultKind::BelowLemma7 { bound });
             return g5.add_unless(self.is_limited(), fault.of_segment(outline.segment_name(s)));
         }
@@ -171,8 +179,15 @@ impl Suspect<'_, '_> {
         });
     }
 
+    /// The relative slack of a bound that is met with equality but for the rounding of points.
+    fn slack(&self) -> f64 {
+        let [a, b] = self.edge().map(|v| self.complex.at(v));
+        let length = libm::hypot(a[0] - b[0], a[1] - b[1]);
+        SLACK + ROUNDING * self.complex.frame.ulp / length
+    }
+
     fn judge_smallest(&self, bound: f64, g6: &mut Judgement) {
-        if self.angle < bound * (1.0 - SLACK) {
+        if self.angle < bound * (1.0 - self.slack()) {
             g6.add_unless(self.is_limited(), self.fault(FaultKind::TooSmall { bound }));
         }
     }

@@ -16,12 +16,23 @@ pub(super) struct Frame {
 impl Frame {
     /// The frame of these points; what is not finite does not count.
     pub(super) fn new(points: &[[f64; 2]]) -> Self {
-        let finite = points.iter().flatten().map(|x| x.abs()).filter(|x| x.is_finite());
-        let largest = finite.fold(0.0_f64, f64::max);
+        let largest = largest(points);
         let exponent = exponent_of(largest);
         let exponent = if largest > 0.0 && exponent.abs() > 100 { exponent } else { 0 };
-        let frame = Self { exponent, ulp: 0.0 };
-        Self { ulp: frame.ulp_at(frame.scaled([largest, 0.0])[0]), ..frame }
+        Self { exponent, ulp: 0.0 }.with_largest(largest)
+    }
+
+    /// The same frame for a mesh whose coordinates may be smaller: a point of the outline that is
+    /// left out, far away, makes nobody's doubles coarser.
+    pub(super) fn with_output(self, points: &[[f64; 2]]) -> Self {
+        match largest(points) {
+            0.0 => self,
+            largest => Self { ulp: self.ulp.min(self.with_largest(largest).ulp), ..self },
+        }
+    }
+
+    fn with_largest(self, largest: f64) -> Self {
+        Self { ulp: self.ulp_at(self.scaled([largest, 0.0])[0]), ..self }
     }
 
     /// A point in judged coordinates.
@@ -44,6 +55,11 @@ impl Frame {
         let smallest = times_power_of_two(f64::from_bits(1), -self.exponent);
         times_power_of_two(1.0, exponent_of(x) - 52).max(smallest).max(f64::from_bits(1))
     }
+}
+
+/// The largest finite coordinate in magnitude.
+fn largest(points: &[[f64; 2]]) -> f64 {
+    points.iter().flatten().map(|x| x.abs()).filter(|x| x.is_finite()).fold(0.0, f64::max)
 }
 
 /// The e with 2^e ≤ |x| < 2^(e+1); −1022 for what is smaller.

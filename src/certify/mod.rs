@@ -73,7 +73,7 @@ use crate::formats::{Mesh, Pslg};
 /// ```
 #[must_use]
 pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
-    let frame = Frame::new(&pslg.points);
+    let frame = Frame::new(&pslg.points).with_output(&mesh.points);
     let outline = Outline::new(pslg, promise.region, frame);
     let [mut g1, mut g2, mut g3, mut g4, mut g5, mut g6, mut g7] =
         Guarantee::ALL.map(Judgement::new);
