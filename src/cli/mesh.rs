@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use meshwright::certify::Certificate;
 use meshwright::domain;
 use meshwright::formats::groups::Note;
 use meshwright::formats::{Mesh, gltf, msh, vtu};
@@ -91,7 +92,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let outcome = meshed.map_err(failure)?;
     outcome.warnings.iter().for_each(|warning| voice.warn(warning));
     if outcome.certificate.limited() && !outcome.warnings.iter().any(is_about_precision) {
-        voice.warn("where segments nearly coincide the mesh is limited by precision");
+        voice.warn(limit(&outcome.certificate));
     }
 
     let summary = Summary::new(&pslg, &outcome);
@@ -241,6 +242,22 @@ fn say_notes(notes: Notes, voice: &Voice) {
         }
         voice.note(format!("{files}: {}", texts.join("; ")));
     }
+}
+
+/// Where doubles end: `the mesh is limited by precision near points 5, 17 and 3 more`.
+fn limit(certificate: &Certificate) -> String {
+    const NAMED: usize = 3;
+    let mut points: Vec<i64> = certificate.apexes.iter().map(|apex| apex.point.number).collect();
+    points.extend(certificate.narrows.iter().map(|narrow| narrow.point.number));
+    points.sort_unstable();
+    points.dedup();
+    let named: Vec<String> = points.iter().take(NAMED).map(ToString::to_string).collect();
+    let noun = if points.len() == 1 { "point" } else { "points" };
+    let more = match points.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {} more", grouped(more as u64)),
+    };
+    format!("the mesh is limited by precision near {noun} {}{more}", named.join(", "))
 }
 
 fn is_about_precision(warning: &Warning) -> bool {

@@ -111,9 +111,7 @@ impl<'a> Summary<'a> {
         let (label, text) = match (self.outcome.end, certificate.holds()) {
             (End::PointBudget, _) => ("stopped", "at --max-points, so not everything is kept:"),
             (_, false) => ("FAILS", "the judge found what must not be:"),
-            _ if certificate.limited() => {
-                ("certified", "but for places where segments nearly coincide:")
-            }
+            _ if certificate.limited() => ("certified", "but for places where doubles end:"),
             _ => {
                 say(voice, "certified", "conforming, Delaunay, every angle accounted for");
                 return;

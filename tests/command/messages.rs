@@ -159,6 +159,17 @@ fn what_is_merged_is_a_warning_with_its_line() {
 }
 
 #[test]
+fn where_doubles_end_is_a_warning_that_names_the_point() {
+    // A free point 1e-15 above a side.
+    let narrow = "5 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 1e-15\n\
+                  4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n";
+    let bench = Bench::with("narrow", "narrow.poly", narrow);
+    let said = bench.succeeds("mesh narrow.poly").stderr;
+    assert!(said.contains("warning: the mesh is limited by precision near point 5\n"), "{said}");
+    assert!(said.contains("certified but for places where doubles end:\n"), "{said}");
+}
+
+#[test]
 fn a_budget_that_is_reached_is_a_promise_not_kept() {
     let bench = Bench::with("budget", "square.poly", SQUARE);
     let said = bench.fails("mesh square.poly --max-area 1e-4 --max-points 50 -o a.msh", 4);
