@@ -22,16 +22,19 @@ pub enum Order {
 }
 
 impl Order {
-    /// The bucket of a trigger: by a factor of 2^(1/4) in the length, or of at most 1.016 in the
+    /// The bucket of a trigger: by a factor of 2^(1/16) in the length, or of at most 1.016 in the
     /// squared sine.
+    ///
+    /// Choice: over 40 turned copies of Lake Superior this gives 963 points in the middle, a
+    /// factor of 2^(1/4) gives 965 with a wider spread, 2^(1/2) gives 972.
     #[must_use]
     pub fn bucket(self, squared_length: f64, squared_sine: f64) -> usize {
         match self {
-            // The exponent and the first bit of the mantissa.
-            Self::ShortestEdge => (squared_length.to_bits() >> 51) as usize & (BUCKETS - 1),
-            // Six bits of the exponent, from 2^-63, and six of the mantissa.
+            // The exponent and the first three bits of the mantissa.
+            Self::ShortestEdge => (squared_length.to_bits() >> 49) as usize & (BUCKETS - 1),
+            // Eight bits of the exponent, from 2^-255, and six of the mantissa.
             Self::SmallestAngle => {
-                let lowest = (1023 - 63) << 6;
+                let lowest = (1023 - 255) << 6;
                 let bits = (squared_sine.to_bits() >> 46) as i64;
                 (bits - lowest).clamp(0, BUCKETS as i64 - 1) as usize
             }
@@ -39,7 +42,7 @@ impl Order {
     }
 }
 
-const BUCKETS: usize = 4096;
+const BUCKETS: usize = 1 << 14;
 
 /// Buckets of entries, first in first out.
 #[derive(Debug)]

@@ -20,16 +20,13 @@ pub fn point(parameters: &Parameters, corners: [[f64; 2]; 3], trigger: Trigger) 
     on_bisector(a, b, height)
 }
 
-/// λ = 0.46·cot(κ̂/2): the height of Üngör's off-center over the trigger edge, in its lengths.
+/// λ = 0.475·cot(κ̂/2): the height of Üngör's off-center over the trigger edge, in its lengths.
 /// There the new triangle's angle opposite is a little above κ̂.
-///
-/// Choice: over 40 turned copies of Lake Superior 0.46 gives 958 points in the middle, 0.475 gives
-/// 965; in a box 1 497 and 1 505.
 fn off_center(kappa: MinAngle) -> f64 {
     let tangent = (kappa.numerator / kappa.denominator).sqrt();
     let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();
     let sine = tangent * cosine;
-    0.46 * (1.0 + cosine) / sine
+    0.475 * (1.0 + cosine) / sine
 }
 
 #[cfg(test)]
@@ -56,6 +53,6 @@ mod tests {
     fn the_off_center_of_a_thin_triangle_is_two_edges_above_its_edge() {
         let [x, y] = steiner_point(Steiner::OffCenter);
         assert_eq!(x, 0.5);
-        assert!((y - 1.9574).abs() < 1e-4, "{y}");
+        assert!((y - 2.0213).abs() < 1e-4, "{y}");
     }
 }
