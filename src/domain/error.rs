@@ -317,7 +317,7 @@ pub(super) fn number(x: f64) -> String {
     if x == 0.0 || (1e-5..1e15).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
 }
 
-/// A place, rounded to about a thousandth of the extent of `points`.
+/// A place, rounded to about a ten-thousandth of the extent of `points`.
 pub(super) fn rounded(place: [f64; 2], points: &[[f64; 2]]) -> [f64; 2] {
     let extent = |k: usize| {
         let (low, high) = points
@@ -325,7 +325,7 @@ pub(super) fn rounded(place: [f64; 2], points: &[[f64; 2]]) -> [f64; 2] {
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p[k]), h.max(p[k])));
         high - low
     };
-    let digits = 2.0 - libm::floor(libm::log10(extent(0).max(extent(1))));
+    let digits = 4.0 - libm::floor(libm::log10(extent(0).max(extent(1))));
     place.map(|c| {
         let text = if digits < 0.0 {
             format!("{c:.0}")
