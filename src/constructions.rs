@@ -4,6 +4,7 @@
 
 use crate::double_double::{DoubleDouble, Expansion, two_sum};
 use crate::parameters::MinAngle;
+use crate::vector::Vector;
 
 /// An angle from 0 to π, by its sine and cosine up to a common positive factor. So it can be
 /// compared without libm.
@@ -16,18 +17,11 @@ pub struct Angle {
 }
 
 impl Angle {
-    /// The angle p x q, from exact differences: cross and dot product are right to about 30
-    /// digits of the products of lengths. (Plain doubles lose seven digits of the sine of an
-    /// angle of 1e-9 rad.)
+    /// The angle p x q, accurate however small it is.
     #[must_use]
     pub fn at(x: [f64; 2], p: [f64; 2], q: [f64; 2]) -> Self {
-        let ux = DoubleDouble::difference(p[0], x[0]);
-        let uy = DoubleDouble::difference(p[1], x[1]);
-        let vx = DoubleDouble::difference(q[0], x[0]);
-        let vy = DoubleDouble::difference(q[1], x[1]);
-        let cross = ux.times(vy).minus(uy.times(vx));
-        let dot = ux.times(vx).plus(uy.times(vy));
-        Self { cross: cross.hi.abs(), dot: dot.hi }
+        let (u, v) = (Vector::between(x, p), Vector::between(x, q));
+        Self { cross: u.cross(v).abs(), dot: u.dot(v) }
     }
 
     /// Whether the angle is smaller than κ̂ < 90°.

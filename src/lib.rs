@@ -53,6 +53,7 @@ pub mod refine;
 mod run;
 pub mod statistics;
 pub mod triangulation;
+mod vector;
 
 pub use parameters::{
     Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,

@@ -1,8 +1,8 @@
 //! The angles between adjoining segments, and θ*, the smallest of them.
 
-use super::accurate::vector;
 use super::adjoining::other_end;
 use super::{Domain, lexicographic};
+use crate::constructions::Angle as Measured;
 use crate::predicates::{Side, side};
 
 /// The angle between two adjoining segments that are neighbours in the rotation about their
@@ -61,13 +61,15 @@ impl Domain {
         let place = self.points[apex as usize];
         let [a, b] = segments
             .map(|segment| self.points[other_end(self.segments[segment as usize], apex) as usize]);
-        let (u, v) = (vector(place, a), vector(place, b));
         let radians = match side(place, a, b) {
             Side::Right => return None,
             // Each of two segments on one line is the next of the other: once is enough.
             Side::On if lexicographic(a, b).is_gt() => return None,
             Side::On => std::f64::consts::PI,
-            Side::Left => libm::atan2(u.cross(v).max(f64::MIN_POSITIVE), u.dot(v)),
+            Side::Left => {
+                let Measured { cross, dot } = Measured::at(place, a, b);
+                libm::atan2(cross.max(f64::MIN_POSITIVE), dot)
+            }
         };
         // The wedge lies to the left of the first segment as it leaves the apex.
         let [left, right] = self.faces.sides(segments[0]);

@@ -1,9 +1,9 @@
 //! The finest detail of an outline: its closest pair of features that have no point in common.
 
 use super::Domain;
-use super::accurate::vector;
 use super::adjoining::other_end;
 use super::boxes::{Boxes, Rectangle};
+use crate::vector::Vector;
 
 /// The search for the closest pair gives up after this many nodes of the tree for each point, on
 /// average. Outlines need about 50.
@@ -82,8 +82,10 @@ impl<'a> Features<'a> {
     /// Of a segment that ends at the point, that is the other end.
     fn distance_squared(&self, point: u32, item: u32) -> (f64, Feature) {
         let to_point = |other: u32| {
-            let between =
-                vector(self.domain.points[point as usize], self.domain.points[other as usize]);
+            let between = Vector::between(
+                self.domain.points[point as usize],
+                self.domain.points[other as usize],
+            );
             (between.dot(between), Feature::Point(other))
         };
         let Some(&ends) = self.domain.segments.get(item as usize) else {
@@ -98,7 +100,8 @@ impl<'a> Features<'a> {
             return to_point(other_end(ends, point));
         }
         let [p, a, b] = [point, ends[0], ends[1]].map(|point| self.domain.points[point as usize]);
-        let (along, to_a, to_b) = (vector(a, b), vector(a, p), vector(b, p));
+        let (along, to_a, to_b) =
+            (Vector::between(a, b), Vector::between(a, p), Vector::between(b, p));
         if along.dot(to_a) <= 0.0 {
             to_point(ends[0])
         } else if along.dot(to_b) >= 0.0 {

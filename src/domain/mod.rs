@@ -1,6 +1,5 @@
 //! Assumption 1: from an outline to a domain that may be refined.
 
-mod accurate;
 mod adjoining;
 mod angles;
 mod boxes;
@@ -28,6 +27,7 @@ pub use error::{Error, Item, Kind, LimitedApex, OpenEnd, OpenEnds, Warning};
 pub use faces::{Faces, OUTSIDE};
 pub use precision::PrecisionLimit;
 
+use crate::vector::Vector;
 use crate::{Pslg, Region};
 use conflicts::Dirty;
 use meshed::{Clean, Meshed};
@@ -206,8 +206,8 @@ impl Domain {
     #[must_use]
     pub fn area(&self) -> f64 {
         let origin = self.points[0];
-        let from_origin = |end: u32| accurate::vector(origin, self.points[end as usize]);
-        let twice_area = accurate::sum((0..).zip(&self.segments).map(|(segment, &[a, b])| {
+        let from_origin = |end: u32| Vector::between(origin, self.points[end as usize]);
+        let twice_area = sum((0..).zip(&self.segments).map(|(segment, &[a, b])| {
             let [left, right] = self.faces.sides(segment).map(|face| self.faces.is_meshed(face));
             if left == right {
                 0.0
@@ -239,4 +239,14 @@ fn lexicographic_order(points: &[[f64; 2]]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
     order.sort_unstable_by(|&a, &b| lexicographic(points[a as usize], points[b as usize]));
     order
+}
+
+/// A sum whose rounding errors are summed too (Neumaier).
+fn sum(terms: impl Iterator<Item = f64>) -> f64 {
+    let (sum, error) = terms.fold((0.0_f64, 0.0), |(sum, error), term| {
+        let next = sum + term;
+        let (larger, smaller) = if sum.abs() >= term.abs() { (sum, term) } else { (term, sum) };
+        (next, error + ((larger - next) + smaller))
+    });
+    sum + error
 }

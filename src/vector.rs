@@ -1,27 +1,23 @@
-//! Rounded numbers that keep their relative accuracy where plain doubles cancel: differences of
-//! coordinates without error, products by fused multiply-add. For numbers that are shown; what is
-//! decided is asked in [`predicates`](crate::predicates).
+//! The vector between two points, without error, and its products: they keep their relative
+//! accuracy where plain doubles cancel. (Plain doubles lose seven digits of the sine of an angle
+//! of 1e-9 rad.) Rounded all the same: a sign is asked of [`predicates`](crate::predicates).
+
+use crate::double_double::DoubleDouble;
 
 /// The vector between two points, without error: `high + low`.
 #[derive(Clone, Copy)]
-pub struct Vector {
+pub(crate) struct Vector {
     high: [f64; 2],
     low: [f64; 2],
 }
 
-/// The vector from `a` to `b`.
-pub fn vector(a: [f64; 2], b: [f64; 2]) -> Vector {
-    let parts = [0, 1].map(|k| {
-        // Knuth's two-sum of b and −a.
-        let high = b[k] - a[k];
-        let minus_a = high - b[k];
-        let low = (b[k] - (high - minus_a)) + (-a[k] - minus_a);
-        [high, low]
-    });
-    Vector { high: [parts[0][0], parts[1][0]], low: [parts[0][1], parts[1][1]] }
-}
-
 impl Vector {
+    /// The vector from `a` to `b`.
+    pub fn between(a: [f64; 2], b: [f64; 2]) -> Self {
+        let parts = [0, 1].map(|k| DoubleDouble::difference(b[k], a[k]));
+        Self { high: parts.map(|part| part.hi), low: parts.map(|part| part.lo) }
+    }
+
     /// The length.
     pub fn length(self) -> f64 {
         libm::sqrt(self.dot(self))
@@ -47,14 +43,4 @@ fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let cd = c * d;
     let error = (-c).mul_add(d, cd);
     a.mul_add(b, -cd) + error
-}
-
-/// A sum whose rounding errors are summed too (Neumaier).
-pub fn sum(terms: impl Iterator<Item = f64>) -> f64 {
-    let (sum, error) = terms.fold((0.0_f64, 0.0), |(sum, error), term| {
-        let next = sum + term;
-        let (larger, smaller) = if sum.abs() >= term.abs() { (sum, term) } else { (term, sum) };
-        (next, error + ((larger - next) + smaller))
-    });
-    sum + error
 }
