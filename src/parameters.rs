@@ -108,6 +108,9 @@ pub enum Splitting {
     Ladder,
     /// On concentric circular shells at first, then at midpoints (§10 of the paper).
     Shells,
+    /// At points that Algorithm 1 of the paper (§9) puts on every segment before, then at
+    /// midpoints.
+    Augment,
 }
 
 /// When an angle smaller than κ̂ is left alone.
@@ -139,6 +142,9 @@ pub enum Rule {
     Adaptive,
     /// All of them: ends only where the input has no angle that makes smaller ones.
     Ruppert,
+    /// All of them, but no subsegment of a cluster around a small input angle is split for the
+    /// sake of a longer edge (Shewchuk's Terminator): for comparison.
+    Terminator,
 }
 
 /// What is meshed.

@@ -29,6 +29,11 @@ pub struct Outcome {
     pub end: End,
     /// How many subsegments and triangles were left as they are at the precision floor.
     pub refused: usize,
+    /// The points of the outline near which that was, zero-based. With [`Rule::Ruppert`] above
+    /// what the outline's angles allow, this is where the rule goes on for ever.
+    ///
+    /// [`Rule::Ruppert`]: crate::Rule::Ruppert
+    pub refused_at: Vec<u32>,
 }
 
 /// An angle between two adjoining segments. Indices are those of the outline.
@@ -133,7 +138,9 @@ pub fn mesh_with(
         return Err(Error::Cancelled);
     }
     let mesh = assemble(&refinement, &kept, &domain_points, &domain, pslg);
+    let input = |&v: &u32| domain.input_points[domain_points[v as usize] as usize];
     Ok(Outcome {
+        refused_at: refinement.stalled_at().iter().map(input).collect(),
         certificate: certify(pslg, &mesh, &Promise::from(parameters)),
         mesh,
         smallest_input_angle: InputAngle::smallest(&domain),

@@ -91,6 +91,7 @@ fn parameters(parameters: &Parameters) -> Value {
         "splitting": match parameters.splitting {
             Splitting::Ladder => "ladder",
             Splitting::Shells => "shells",
+            Splitting::Augment => "augment",
         },
         "steiner": match parameters.steiner {
             Steiner::OffCenter => "off-center",
@@ -99,6 +100,7 @@ fn parameters(parameters: &Parameters) -> Value {
         "rule": match parameters.rule {
             Rule::Adaptive => "adaptive",
             Rule::Ruppert => "ruppert",
+            Rule::Terminator => "terminator",
         },
     });
     if let (Value::Object(object), Value::Object(more)) = (&mut object, more) {

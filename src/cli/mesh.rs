@@ -8,7 +8,7 @@ use clap::Args;
 use meshwright::certify::Certificate;
 use meshwright::domain;
 use meshwright::formats::groups::Note;
-use meshwright::formats::{Mesh, gltf, msh, vtu};
+use meshwright::formats::{Mesh, Pslg, gltf, msh, vtu};
 use meshwright::refine::End;
 use meshwright::{Error, Outcome, Parameters, Rule, Splitting, Steiner, Warning, mesh_with};
 
@@ -54,6 +54,7 @@ pub struct Arguments {
     /// paper.
     #[arg(long, default_value = "ladder", value_parser = one_of([
         ("ladder", Splitting::Ladder), ("shells", Splitting::Shells),
+        ("augment", Splitting::Augment),
     ]))]
     splitting: Splitting,
     /// Where the point goes that removes a bad triangle.
@@ -64,6 +65,7 @@ pub struct Arguments {
     /// Which small angles are attacked: all but the excused ones, or all.
     #[arg(long, default_value = "adaptive", value_parser = one_of([
         ("adaptive", Rule::Adaptive), ("ruppert", Rule::Ruppert),
+        ("terminator", Rule::Terminator),
     ]))]
     rule: Rule,
     #[command(flatten)]
@@ -101,7 +103,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     say_notes(notes, voice);
     summary.say_written(&written, voice);
 
-    let exit = verdict(&outcome, arguments, voice);
+    let exit = verdict(&outcome, &pslg, arguments, voice);
     if arguments.json {
         print(&json::mesh_run(&MeshReport {
             input: &input,
@@ -246,9 +248,18 @@ fn say_notes(notes: Notes, voice: &Voice) {
 
 /// Where doubles end: `the mesh is limited by precision near points 5, 17 and 3 more`.
 fn limit(certificate: &Certificate) -> String {
-    const NAMED: usize = 3;
     let mut points: Vec<i64> = certificate.apexes.iter().map(|apex| apex.point.number).collect();
     points.extend(certificate.narrows.iter().map(|narrow| narrow.point.number));
+    format!("the mesh is limited by precision {}", near(points))
+}
+
+/// `near points 5, 17 and 3 more`, by the numbers of the file.
+fn near_points(indices: &[u32], pslg: &Pslg) -> String {
+    near(indices.iter().map(|&index| pslg.source.point_number(index)).collect())
+}
+
+fn near(mut points: Vec<i64>) -> String {
+    const NAMED: usize = 3;
     points.sort_unstable();
     points.dedup();
     let named: Vec<String> = points.iter().take(NAMED).map(ToString::to_string).collect();
@@ -257,7 +268,7 @@ fn limit(certificate: &Certificate) -> String {
         0 => String::new(),
         more => format!(" and {} more", grouped(more as u64)),
     };
-    format!("the mesh is limited by precision near {noun} {}{more}", named.join(", "))
+    format!("near {noun} {}{more}", named.join(", "))
 }
 
 fn is_about_precision(warning: &Warning) -> bool {
@@ -272,12 +283,24 @@ fn failure(error: Error) -> Failure {
 }
 
 /// How a run ends that made and wrote a mesh.
-fn verdict(outcome: &Outcome, arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
+fn verdict(
+    outcome: &Outcome,
+    pslg: &Pslg,
+    arguments: &Arguments,
+    voice: &Voice,
+) -> Result<Exit, Failure> {
     if outcome.end == End::PointBudget {
         let budget = count(arguments.max_points as usize, "point");
         return Err(Failure::promise(format!(
             "the run stopped at {budget} (--max-points): the mesh is complete, its angles are not"
         )));
+    }
+    if arguments.rule == Rule::Ruppert && outcome.refused > 0 {
+        return Err(Failure::promise(format!(
+            "Ruppert's rule does not end {}: it stopped where doubles end",
+            near_points(&outcome.refused_at, pslg)
+        ))
+        .with_help("--rule adaptive ends on every outline; so does a smaller --min-angle"));
     }
     if !outcome.certificate.holds() {
         return Err(Failure::promise("the mesh does not keep what was promised"));

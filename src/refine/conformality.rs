@@ -6,6 +6,7 @@
 
 use std::ops::ControlFlow;
 
+use super::provenance::SegmentPoint;
 use super::{Flow, Refinement, Watch};
 use crate::constructions::point_on_segment;
 use crate::predicates::{Relative, encroaches};
@@ -98,7 +99,8 @@ impl Refinement<'_> {
         let Some(edge) = self.mesh.subsegment(ends[0], ends[1]) else {
             return false;
         };
-        if !self.commit_split(edge) {
+        let split = self.split_of(edge);
+        if !split.is_some_and(|split| self.commit_split(edge, split)) {
             self.refused.subsegments.insert(key);
             return false;
         }
@@ -107,14 +109,19 @@ impl Refinement<'_> {
         true
     }
 
-    fn commit_split(&mut self, edge: Edge) -> bool {
+    /// Where (§10 or ours) a subsegment is to be split.
+    fn split_of(&self, edge: Edge) -> Option<SegmentPoint> {
         let piece = self.mesh.ends(edge);
-        let Some(segment) = self.segment_of(piece) else {
-            return false;
-        };
+        let segment = self.segment_of(piece)?;
         let splitting = self.parameters.splitting;
         let points = &self.mesh.points;
-        let split = self.segments.split(splitting, segment, piece, points, &self.provenances);
+        Some(self.segments.split(splitting, segment, piece, points, &self.provenances))
+    }
+
+    /// Splits the subsegment `edge` there, unless that is refused (ALGORITHM §9).
+    pub(super) fn commit_split(&mut self, edge: Edge, split: SegmentPoint) -> bool {
+        let (piece, points) = (self.mesh.ends(edge), &self.mesh.points);
+        let segment = split.segment;
         let ends = self.segments.ends[segment as usize];
         let [from, to] =
             [split.apex, 1 - split.apex].map(|e| points[ends[usize::from(e)] as usize]);

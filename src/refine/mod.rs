@@ -6,12 +6,15 @@
 //! | (Conformality), §3 | [`conformality`] |
 //! | (Quality′), §3 | [`quality`], [`excuse`] |
 //! | splitting on concentric shells, §10 | [`shells`] |
+//! | Algorithm 1 (§9) | `augment` |
 //! | splitting on dyadic ladders (ours) | [`ladder`] |
 //! | points, midpoints, circumcenters, §3 | [`provenance`] |
 //! | any further trigger (ours) | [`sizing`] |
+//! | the Terminator, for comparison (§1) | [`terminator`] |
 //!
 //! [`refine`] is the loop; [`Refinement`] is everything that it changes.
 
+mod augment;
 pub mod conformality;
 pub mod excuse;
 pub mod ladder;
@@ -22,13 +25,15 @@ pub mod queue;
 pub mod segments;
 pub mod shells;
 pub mod sizing;
+mod stall;
 pub mod steiner;
+pub mod terminator;
 
 use std::collections::{BTreeSet, VecDeque};
 use std::ops::ControlFlow;
 
 use crate::domain::Domain;
-use crate::parameters::{Parameters, Rule, Steiner};
+use crate::parameters::{Parameters, Rule, Splitting, Steiner};
 use crate::triangulation::{Cavity, Triangulation};
 use provenance::Provenances;
 use quality::Trigger;
@@ -159,7 +164,7 @@ impl<'a> Refinement<'a> {
         parameters: &'a Parameters,
     ) -> Self {
         let worst_first =
-            parameters.steiner == Steiner::Circumcenter || parameters.rule == Rule::Ruppert;
+            parameters.steiner == Steiner::Circumcenter || parameters.rule != Rule::Adaptive;
         Self {
             provenances: Provenances::of_inputs(mesh.points.len()),
             mesh,
@@ -178,6 +183,9 @@ impl<'a> Refinement<'a> {
     /// The loop of §3: conformality first, always; then quality, tile by tile.
     fn run(&mut self, tell: &mut dyn FnMut(Progress) -> ControlFlow<()>) -> Flow {
         let mut watch = Watch { tell, next: 0 };
+        if self.parameters.splitting == Splitting::Augment {
+            self.augment();
+        }
         self.find_encroached_subsegments();
         self.restore_conformality(&mut watch)?;
         for tile in self.tiles() {
@@ -232,7 +240,7 @@ impl<'a> Refinement<'a> {
         edge: usize,
         angle: crate::constructions::Angle,
     ) -> bool {
-        if self.parameters.rule == Rule::Ruppert {
+        if self.parameters.rule != Rule::Adaptive {
             return false;
         }
         let ends = [(edge + 1) % 3, (edge + 2) % 3].map(|i| vertices[i]);
@@ -266,13 +274,20 @@ impl<'a> Refinement<'a> {
             self.refused.triangles.push(entry);
             return ControlFlow::Continue(());
         }
-        let encroached: Vec<[u32; 2]> =
+        let mut encroached: Vec<[u32; 2]> =
             self.cavity.encroached(&self.mesh).map(|side| side.ends).collect();
         if encroached.is_empty() {
             if !self.commit_steiner_point() {
                 self.refused.triangles.push(entry);
             }
             return ControlFlow::Continue(());
+        }
+        if self.parameters.rule == Rule::Terminator {
+            let shortest = trigger.squared.sqrt();
+            encroached.retain(|&ends| self.terminator_splits(ends, shortest));
+            if encroached.is_empty() {
+                return ControlFlow::Continue(());
+            }
         }
         let mut split = false;
         for ends in encroached {

@@ -110,6 +110,7 @@ impl Segments {
                 let [near, far] = self.piece_ends(segment, apex, piece, points, provenances);
                 let split = match splitting {
                     Splitting::Shells => shells::split(near, far),
+                    Splitting::Augment => Split::at_middle(near, far, Kind::Midpoint, Origin::Rung),
                     Splitting::Ladder if sines == [0.0, 0.0] => {
                         Split::at_middle(near, far, Kind::Midpoint, Origin::Rung)
                     }
@@ -133,6 +134,7 @@ impl Segments {
         let (length, _) = segment_length(points[ends[0] as usize], points[ends[1] as usize]);
         match splitting {
             Splitting::Shells => Some(Border { nearer: 0, distance: 0.5 * length }),
+            Splitting::Augment => None,
             Splitting::Ladder if self.sines[segment as usize].contains(&0.0) => None,
             Splitting::Ladder => {
                 let gaps = [0, 1].map(|end| self.gap(segment, end, points));
