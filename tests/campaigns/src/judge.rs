@@ -3,7 +3,7 @@
 use meshwright::certify::{Certificate, Fault, Guarantee};
 use meshwright::{Mesh, Parameters, Pslg};
 
-use crate::measure::{FLOOR, near_touches, resolution_limits, ulp_of_largest};
+use crate::measure::{FLOOR, near_touches, resolution_limits, ulp_of_largest, with_hull};
 use crate::plane::{Point, distance};
 
 /// How a run ended that had to end well.
@@ -98,10 +98,11 @@ fn beyond_the_limit(outline: &Pslg, made: &Made) -> Vec<String> {
     if !made.certificate.limited() {
         return Vec::new();
     }
+    let outline = &with_hull(outline, made.certificate.promise.region);
     let limits = resolution_limits(outline, &made.mesh.points);
     // Around two features that nearly touch edges are refused, as far as some floors reach.
     let ulp = ulp_of_largest(&made.mesh.points);
-    let touches = near_touches(outline, made.certificate.promise.region, 2.0 * FLOOR * ulp);
+    let touches = near_touches(outline, 2.0 * FLOOR * ulp);
     let excused = |place: Point| {
         let near_an_apex =
             |&(apex, reach): &(Point, f64)| distance(place, apex) <= reach * (1.0 + 1e-9);

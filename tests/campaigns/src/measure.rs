@@ -94,46 +94,57 @@ pub fn resolution_limits(outline: &Pslg, output: &[Point]) -> Vec<(Point, f64)> 
     apexes.filter_map(|(&x, theta)| Some((x, reach(theta?)))).collect()
 }
 
-/// The points that come nearer than `gap` to another point or to a segment that is not theirs:
-/// one of the outline, or an edge of the convex hull where that is meshed.
+/// The points that come nearer than `gap` to another point or to a segment that is not theirs.
 #[must_use]
-pub fn near_touches(outline: &Pslg, region: Region, gap: f64) -> Vec<Point> {
-    let mut sides: Vec<[Point; 2]> =
-        outline.segments.iter().map(|s| s.map(|v| outline.points[v as usize])).collect();
-    if region == Region::Hull || sides.is_empty() {
-        sides.extend(hull_edges(&outline.points));
-    }
+pub fn near_touches(outline: &Pslg, gap: f64) -> Vec<Point> {
+    let segments = located(outline, &outline.points);
     let touches = |(i, &p): (usize, &Point)| {
-        let near_side =
-            |&[a, b]: &[Point; 2]| p != a && p != b && distance_to_segment(p, a, b) < gap;
+        let near_segment =
+            |&(_, a, b): &Located| p != a && p != b && distance_to_segment(p, a, b) < gap;
         let near_point = |&q: &Point| p != q && distance(p, q) < gap;
-        sides.iter().any(near_side) || outline.points[..i].iter().any(near_point)
+        segments.iter().any(near_segment) || outline.points[..i].iter().any(near_point)
     };
     outline.points.iter().enumerate().filter(|&p| touches(p)).map(|(_, &p)| p).collect()
 }
 
-/// The sides of the convex hull, counter-clockwise (Andrew's monotone chain).
-fn hull_edges(points: &[Point]) -> Vec<[Point; 2]> {
-    let mut sorted = points.to_vec();
-    sorted.sort_by(|p, q| p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])));
-    let mut edges = Vec::new();
-    for forward in [true, false] {
-        let mut chain: Vec<Point> = Vec::new();
+/// The outline with the sides of its convex hull as segments, where that is what is meshed.
+#[must_use]
+pub fn with_hull(outline: &Pslg, region: Region) -> Pslg {
+    let mut whole = outline.clone();
+    if region == Region::Hull || outline.segments.is_empty() {
+        for side in hull_sides(&outline.points) {
+            let known = |&s: &[u32; 2]| s == side || s == [side[1], side[0]];
+            if !whole.segments.iter().any(known) {
+                whole.segments.push(side);
+                whole.segment_tags.push(0);
+            }
+        }
+    }
+    whole
+}
+
+/// The sides of the convex hull, from each point on it to the next (Andrew's monotone chain).
+fn hull_sides(points: &[Point]) -> Vec<[u32; 2]> {
+    let at = |v: u32| points[v as usize];
+    let mut sorted: Vec<u32> = (0..points.len() as u32).collect();
+    sorted.sort_by(|&v, &w| at(v)[0].total_cmp(&at(w)[0]).then(at(v)[1].total_cmp(&at(w)[1])));
+    sorted.dedup_by_key(|v| at(*v).map(f64::to_bits));
+    let mut sides = Vec::new();
+    for _ in 0..2 {
+        let mut chain: Vec<u32> = Vec::new();
         for &p in &sorted {
             while let [.., a, b] = chain[..] {
-                if side(a, b, p) == Side::Left {
+                if side(at(a), at(b), at(p)) != Side::Right {
                     break;
                 }
                 chain.pop();
             }
             chain.push(p);
         }
-        edges.extend(chain.windows(2).map(|w| [w[0], w[1]]));
-        if forward {
-            sorted.reverse();
-        }
+        sides.extend(chain.windows(2).map(|w| [w[0], w[1]]));
+        sorted.reverse();
     }
-    edges
+    sides
 }
 
 /// Whether Assumption 1 (i)–(iii) holds, decided exactly, by looking at all pairs.

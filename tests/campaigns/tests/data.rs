@@ -67,12 +67,7 @@ fn behaves(case: Case, path: PathBuf) -> Result<(), Failed> {
         run::Ending::Panicked(message) => return Err(format!("a panic: {message}").into()),
         run::Ending::Hung => return Err("it does not end".into()),
     };
-    // Whether a file is missing or wrong is told by the exit code, which only the command has.
-    let ending = match ran.ending {
-        Ending::Refused if case.allowed.contains(&Ending::Missing) => Ending::Missing,
-        ending => ending,
-    };
-    let mut complaints = case.complaints(ending, ran.area, &ran.talk);
+    let mut complaints = case.complaints(ran.ending, ran.area, &ran.talk);
     complaints.extend(ran.faults);
     if complaints.is_empty() {
         return Ok(());
