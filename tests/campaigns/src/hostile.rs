@@ -14,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use meshwright::Pslg;
 
 use crate::families::boxed;
-use crate::measure::{clearance, is_clean, smallest_angle};
+use crate::measure::{clear_of_segments, clearance, is_clean, smallest_angle};
 use crate::motion::Motion;
 use crate::plane::{Point, between, direction, distance, polar};
 use crate::random::Random;
@@ -68,7 +68,7 @@ pub fn hostile(seed: u64, index: u64) -> Pslg {
         // One burden at least has the angle that the draw asks for.
         let _ = (0..20).any(|_| wedge(&mut sketch, thinness, random));
     }
-    moved(&sketch.finish(), random)
+    without_doubtful_seeds(moved(&sketch.finish(), random))
 }
 
 /// What a set of outlines is like.
@@ -533,6 +533,17 @@ fn slit_from_corner(sketch: &mut Sketch, random: &mut Random) -> bool {
     }
     let end = polar(sketch.point(from), random.direction(), random.log_range(0.02, 0.8));
     sketch.add_legs(from, &[end], 13)
+}
+
+/// Leaves out the seeds of holes and regions that lie on a segment: they do not say which side is
+/// meant. A burden may have come to lie there after them.
+fn without_doubtful_seeds(mut outline: Pslg) -> Pslg {
+    let mut clear = clear_of_segments(&outline, &outline.holes).into_iter();
+    outline.holes.retain(|_| clear.next() == Some(true));
+    let seeds: Vec<Point> = outline.regions.iter().map(|region| region.seed).collect();
+    let mut clear = clear_of_segments(&outline, &seeds).into_iter();
+    outline.regions.retain(|_| clear.next() == Some(true));
+    outline
 }
 
 // Motions.

@@ -180,12 +180,29 @@ pub(crate) fn in_conflict(([a, b], p, q): Located, ([c, d], r, s): Located) -> b
     }
 }
 
+/// Whether each of some places (seeds, say) keeps clear of all segments. Exact.
+#[must_use]
+pub fn clear_of_segments(outline: &Pslg, places: &[Point]) -> Vec<bool> {
+    let segments = located(outline, &of_size_one(outline));
+    let exponent = exponent_of_size(outline);
+    let clear = |place: &Point| {
+        let x = place.map(|c| libm::scalbn(c, -exponent));
+        segments.iter().all(|&(_, p, q)| !segments_meet(x, x, p, q))
+    };
+    places.iter().map(clear).collect()
+}
+
 /// The points, scaled by a power of two so that the largest coordinate is about 1: no product
 /// over- or underflows, and no bit changes.
 fn of_size_one(outline: &Pslg) -> Vec<Point> {
-    let largest = outline.points.iter().flatten().fold(0.0_f64, |m, c| m.max(c.abs()));
-    let exponent = if largest == 0.0 { 0 } else { libm::ilogb(largest) };
+    let exponent = exponent_of_size(outline);
     outline.points.iter().map(|p| p.map(|c| libm::scalbn(c, -exponent))).collect()
+}
+
+/// The exponent of the largest coordinate.
+fn exponent_of_size(outline: &Pslg) -> i32 {
+    let largest = outline.points.iter().flatten().fold(0.0_f64, |m, c| m.max(c.abs()));
+    if largest == 0.0 { 0 } else { libm::ilogb(largest) }
 }
 
 fn located(outline: &Pslg, points: &[Point]) -> Vec<Located> {

@@ -69,10 +69,10 @@ impl Motion {
     }
 }
 
-/// The same outline with its points and segments in random order and its segments turned about at
-/// random. Answers with the new number of each old point too.
+/// The same outline with its points and segments in random order, and its segments turned about at
+/// random.
 #[must_use]
-pub fn renumbered(outline: &Pslg, random: &mut Random) -> (Pslg, Vec<u32>) {
+pub fn renumbered(outline: &Pslg, random: &mut Random) -> Pslg {
     let mut old_points: Vec<u32> = (0..outline.points.len() as u32).collect();
     random.shuffle(&mut old_points);
     let mut new_numbers = vec![0; old_points.len()];
@@ -91,5 +91,5 @@ pub fn renumbered(outline: &Pslg, random: &mut Random) -> (Pslg, Vec<u32>) {
             if random.chance(0.5) { [b, a] } else { [a, b] }
         })
         .collect();
-    (renumbered, new_numbers)
+    renumbered
 }

@@ -98,6 +98,17 @@ proptest! {
 }
 
 #[test]
+fn the_certificate_is_that_of_the_mesh_it_comes_with() {
+    for number in 0..20 {
+        let outline = hostile(6, number);
+        let parameters = Parameters::default();
+        let made = judge(&outline, &parameters).well();
+        let again = certify(&outline, &made.mesh, &Promise::from(&parameters));
+        assert_eq!(made.certificate, again, "seed 6, number {number}");
+    }
+}
+
+#[test]
 fn sixty_hostile_outlines_keep_every_promise() {
     let mesh_one = |i: usize| {
         guarded(move || judge(&hostile(3, i as u64), &Parameters::default()).verdict).ending
