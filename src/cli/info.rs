@@ -51,6 +51,8 @@ pub struct DomainFacts {
     pub small: usize,
     /// The closest pair of features.
     pub closest: Option<ClosestPair>,
+    /// lfs_min: the least local feature size, in the units of the outline.
+    pub lfs_min: Option<f64>,
 }
 
 /// Tells. A file that can be read is a success, whatever it holds.
@@ -83,6 +85,7 @@ impl OutlineFacts {
             smallest: domain.smallest_angle(),
             small: domain.angles_below(MinAngle::default().radians()).len(),
             closest: domain.closest_pair(),
+            lfs_min: domain.lfs_min().map(|lfs| domain.unscaled(lfs)),
             domain,
             warnings,
         });
@@ -203,7 +206,7 @@ fn smallest_text(smallest: Angle, facts: &DomainFacts, pslg: &Pslg) -> String {
     format!("smallest {} at point {at}{between}{excused}", angle(smallest.radians))
 }
 
-/// `closest pair: point 88 and segment 12, 0.003 apart`
+/// `closest pair: point 88 and segment 12, 0.003 apart; lfs_min 0.0015`
 fn closest_text(closest: ClosestPair, domain: &Domain, pslg: &Pslg) -> String {
     let point = |p: u32| pslg.source.point_number(domain.input_points[p as usize]);
     let pair = match closest.feature {
@@ -216,7 +219,9 @@ fn closest_text(closest: ClosestPair, domain: &Domain, pslg: &Pslg) -> String {
             }
         },
     };
-    format!("closest pair: {pair}, {} apart", significant(closest.distance, 2))
+    let apart = significant(closest.distance, 2);
+    let lfs_min = significant(0.5 * closest.distance, 2);
+    format!("closest pair: {pair}, {apart} apart; lfs_min {lfs_min}")
 }
 
 /// `wall (1): 88 segments · inlet (2): 4 segments · untagged: 114 segments`

@@ -147,6 +147,7 @@ fn outline(pslg: &Pslg, facts: &OutlineFacts) -> Value {
         "closest_pair": clean.and_then(|facts| {
             facts.closest.map(|closest| closest_pair(closest, &facts.domain, pslg))
         }),
+        "lfs_min": clean.and_then(|facts| facts.lfs_min),
         "area": clean.map(|facts| facts.domain.area()),
         "groups": groups(&facts.groups),
         "ready": error.is_none(),

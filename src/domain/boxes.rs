@@ -32,7 +32,7 @@ impl Rectangle {
     }
 
     /// The distance from a point to the rectangle, squared.
-    fn distance_squared(&self, point: [f64; 2]) -> f64 {
+    pub fn distance_squared(&self, point: [f64; 2]) -> f64 {
         let outside = |k: usize| (self.low[k] - point[k]).max(point[k] - self.high[k]).max(0.0);
         outside(0) * outside(0) + outside(1) * outside(1)
     }
@@ -40,9 +40,27 @@ impl Rectangle {
 
 /// The tree. Nodes stand in preorder: the left child of a node follows it, the right child
 /// follows the left one's subtree (2m − 1 nodes for m items).
+#[derive(Debug, Clone)]
 pub struct Boxes {
     items: Vec<u32>,
     nodes: Vec<Rectangle>,
+}
+
+/// A node of the tree: a subtree with at least one item.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Node {
+    /// Its place in preorder: 0 to 2m − 2.
+    pub index: usize,
+    start: usize,
+    end: usize,
+}
+
+/// What a node holds.
+pub enum Below {
+    /// One item.
+    Item(u32),
+    /// Two subtrees.
+    Halves([Node; 2]),
 }
 
 impl Boxes {
@@ -56,69 +74,115 @@ impl Boxes {
         Self { items, nodes }
     }
 
+    /// The whole tree; `None` without items.
+    pub fn root(&self) -> Option<Node> {
+        (!self.items.is_empty()).then_some(Node { index: 0, start: 0, end: self.items.len() })
+    }
+
+    /// What a node holds.
+    pub fn below(&self, Node { index, start, end }: Node) -> Below {
+        if end - start == 1 {
+            return Below::Item(self.items[start]);
+        }
+        let middle = start + (end - start) / 2;
+        let right = index + 2 * (middle - start);
+        Below::Halves([
+            Node { index: index + 1, start, end: middle },
+            Node { index: right, start: middle, end },
+        ])
+    }
+
+    /// The rectangle around everything that a node holds.
+    pub fn rectangle(&self, node: Node) -> &Rectangle {
+        &self.nodes[node.index]
+    }
+
+    /// For each node, in preorder, what its items have in common: `of_item` of one, `join` of two
+    /// subtrees.
+    pub fn in_common<T: Copy>(
+        &self,
+        of_item: impl Fn(u32) -> T,
+        join: impl Fn(T, T) -> T,
+    ) -> Vec<T> {
+        let mut pending: Vec<Node> = self.root().into_iter().collect();
+        let mut preorder = Vec::with_capacity(self.nodes.len());
+        while let Some(node) = pending.pop() {
+            preorder.push(node);
+            if let Below::Halves([left, right]) = self.below(node) {
+                pending.extend([right, left]);
+            }
+        }
+        // From the last node back: what a node holds stands behind it, what the left half holds
+        // before what the right half holds.
+        let mut done: Vec<T> = Vec::with_capacity(self.nodes.len());
+        for &node in preorder.iter().rev() {
+            let of = |part: Node| done[self.nodes.len() - 1 - part.index];
+            done.push(match self.below(node) {
+                Below::Item(item) => of_item(item),
+                Below::Halves([left, right]) => join(of(left), of(right)),
+            });
+        }
+        done.reverse();
+        done
+    }
+
     /// Visits the items whose rectangles meet `rectangle`, until told to stop.
     pub fn overlapping<B>(
         &self,
         rectangle: &Rectangle,
         mut visit: impl FnMut(u32) -> ControlFlow<B>,
     ) -> ControlFlow<B> {
-        let mut pending = vec![(0, 0, self.items.len())];
-        while let Some((node, start, end)) = pending.pop() {
-            if start == end || !self.nodes[node].overlaps(rectangle) {
+        let mut pending: Vec<Node> = self.root().into_iter().collect();
+        while let Some(node) = pending.pop() {
+            if !self.rectangle(node).overlaps(rectangle) {
                 continue;
             }
-            if end - start == 1 {
-                visit(self.items[start])?;
-            } else {
-                let middle = start + (end - start) / 2;
-                pending.push((right_child(node, start, middle), middle, end));
-                pending.push((node + 1, start, middle));
+            match self.below(node) {
+                Below::Item(item) => visit(item)?,
+                Below::Halves([left, right]) => pending.extend([right, left]),
             }
         }
         ControlFlow::Continue(())
     }
 
     /// The nearest item to a point, if one is nearer than the square root of `bound`: its number
-    /// and its squared distance, as `distance_squared` gives it. Each node visited is taken from
-    /// `budget`; the search ends where that is used up.
+    /// and its squared distance, as `distance_squared` gives it. Subtrees that `skips` names are
+    /// left out. Each node visited is taken from `budget`; the search ends where that is used up.
     pub fn nearest(
         &self,
         point: [f64; 2],
         mut bound: f64,
         budget: &mut usize,
-        mut distance_squared: impl FnMut(u32) -> f64,
+        skips: impl Fn(Node) -> bool,
+        distance_squared: impl Fn(u32) -> f64,
     ) -> Option<(u32, f64)> {
         let mut nearest = None;
-        let mut pending = vec![(0, 0, self.items.len())];
-        while let Some((node, start, end)) = pending.pop() {
+        let away = |node| self.rectangle(node).distance_squared(point);
+        let mut pending: Vec<Node> = self.root().into_iter().collect();
+        while let Some(node) = pending.pop() {
             if *budget == 0 {
                 break;
             }
             *budget -= 1;
-            if start == end || self.nodes[node].distance_squared(point) >= bound {
+            if away(node) >= bound || skips(node) {
                 continue;
             }
-            if end - start == 1 {
-                let distance = distance_squared(self.items[start]);
-                if distance < bound {
-                    bound = distance;
-                    nearest = Some((self.items[start], distance));
+            match self.below(node) {
+                Below::Item(item) => {
+                    let distance = distance_squared(item);
+                    if distance < bound {
+                        bound = distance;
+                        nearest = Some((item, distance));
+                    }
                 }
-                continue;
+                Below::Halves([left, right]) => {
+                    let is_left_nearer = away(left) <= away(right);
+                    pending.extend(if is_left_nearer { [right, left] } else { [left, right] });
+                }
             }
-            let middle = start + (end - start) / 2;
-            let left = (node + 1, start, middle);
-            let right = (right_child(node, start, middle), middle, end);
-            let is_left_nearer = self.nodes[left.0].distance_squared(point)
-                <= self.nodes[right.0].distance_squared(point);
-            pending.extend(if is_left_nearer { [right, left] } else { [left, right] });
         }
         nearest
     }
-}
-
-fn right_child(node: usize, start: usize, middle: usize) -> usize {
-    node + 2 * (middle - start)
 }
 
 /// Appends the subtree of `items`, which it sorts into tree order.

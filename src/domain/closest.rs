@@ -1,9 +1,12 @@
 //! The finest detail of an outline: its closest pair of features that have no point in common.
+//!
+//! A point and a segment that does not adjoin any of the point's are found by the index of
+//! features. At a common end x of segments, the nearest to a point at distance d from x are, on
+//! either side, the first that is at least as long as d: so a star of many spokes takes no longer
+//! than others.
 
 use super::Domain;
 use super::adjoining::other_end;
-use super::boxes::{Boxes, Rectangle};
-use crate::vector::Vector;
 
 /// The search for the closest pair gives up after this many nodes of the tree for each point, on
 /// average. Outlines need about 50.
@@ -31,84 +34,107 @@ pub enum Feature {
 
 impl Domain {
     /// The closest pair of a point and a feature that does not contain it; of equally close ones
-    /// the first. Twice the least local feature size that a point has. `None` where the search
-    /// takes too long, as in a star of many spokes of unequal length.
+    /// that of the first point. Twice [`lfs_min`](Domain::lfs_min). `None` where the search takes
+    /// too long, as where thousands of long segments lie across each other's boxes.
     #[must_use]
     pub fn closest_pair(&self) -> Option<ClosestPair> {
-        let features = Features::new(self);
-        let mut budget = MOST_VISITS_PER_POINT * self.points.len();
-        let mut closest: Option<(u32, u32, f64)> = None;
-        for point in 0..self.points.len() as u32 {
-            let bound = closest.map_or(f64::INFINITY, |(_, _, squared)| squared);
-            if let Some((item, squared)) = features.nearest(point, bound, &mut budget) {
-                closest = Some((point, item, squared));
-            }
-        }
-        closest.filter(|_| budget > 0).map(|(point, item, squared)| ClosestPair {
+        self.closest().map(|(point, feature, squared)| ClosestPair {
             point,
-            feature: features.distance_squared(point, item).1,
+            feature,
             distance: libm::scalbn(libm::sqrt(squared), self.scale_exponent),
         })
     }
-}
 
-/// All segments, then all isolated points, findable by place.
-struct Features<'a> {
-    domain: &'a Domain,
-    isolated: Vec<u32>,
-    boxes: Boxes,
-}
-
-impl<'a> Features<'a> {
-    fn new(domain: &'a Domain) -> Self {
-        let isolated: Vec<u32> = (0..domain.points.len() as u32)
-            .filter(|&point| domain.adjoining(point).is_empty())
-            .collect();
-        let place = |point: u32| domain.points[point as usize];
-        let segments = domain.segments.iter().map(|&[a, b]| Rectangle::around(place(a), place(b)));
-        let points = isolated.iter().map(|&point| Rectangle::around(place(point), place(point)));
-        let rectangles: Vec<_> = segments.chain(points).collect();
-        let boxes = Boxes::new(&rectangles);
-        Self { domain, isolated, boxes }
-    }
-
-    /// The nearest item that does not contain a point, and their squared distance.
-    fn nearest(&self, point: u32, bound: f64, budget: &mut usize) -> Option<(u32, f64)> {
-        let place = self.domain.points[point as usize];
-        self.boxes.nearest(place, bound, budget, |item| self.distance_squared(point, item).0)
-    }
-
-    /// The squared distance between a point and an item, and the part of the item that is nearest.
-    /// Of a segment that ends at the point, that is the other end.
-    fn distance_squared(&self, point: u32, item: u32) -> (f64, Feature) {
-        let to_point = |other: u32| {
-            let between = Vector::between(
-                self.domain.points[point as usize],
-                self.domain.points[other as usize],
-            );
-            (between.dot(between), Feature::Point(other))
-        };
-        let Some(&ends) = self.domain.segments.get(item as usize) else {
-            let other = self.isolated[item as usize - self.domain.segments.len()];
-            return if other == point {
-                (f64::INFINITY, Feature::Point(other))
-            } else {
-                to_point(other)
-            };
-        };
-        if ends.contains(&point) {
-            return to_point(other_end(ends, point));
+    /// The closest pair and its squared distance, scaled.
+    pub(super) fn closest(&self) -> Option<(u32, Feature, f64)> {
+        let mut closest = Closest { domain: self, found: None };
+        let mut budget = MOST_VISITS_PER_POINT * self.points.len();
+        for point in 0..self.points.len() as u32 {
+            closest.search_near(point, &mut budget);
         }
-        let [p, a, b] = [point, ends[0], ends[1]].map(|point| self.domain.points[point as usize]);
-        let (along, to_a, to_b) =
-            (Vector::between(a, b), Vector::between(a, p), Vector::between(b, p));
-        if along.dot(to_a) <= 0.0 {
-            to_point(ends[0])
-        } else if along.dot(to_b) >= 0.0 {
-            to_point(ends[1])
-        } else {
-            let height = along.cross(to_a) / along.length();
-            (height * height, Feature::Segment(item))
+        for apex in 0..self.points.len() as u32 {
+            closest.search_around(apex);
+        }
+        closest.found.filter(|_| budget > 0)
+    }
+}
+
+/// The closest pair so far.
+struct Closest<'a> {
+    domain: &'a Domain,
+    found: Option<(u32, Feature, f64)>,
+}
+
+impl Closest<'_> {
+    /// The other points, and the segments that do not adjoin those of `point`.
+    fn search_near(&mut self, point: u32, budget: &mut usize) {
+        let (domain, features) = (self.domain, self.domain.features());
+        let place = domain.points[point as usize];
+        let to_point = |other| {
+            if other == point { f64::INFINITY } else { domain.point_distance_squared(place, other) }
+        };
+        let nearest = features.points.nearest(place, self.bound(), budget, |_| false, to_point);
+        if let Some((other, squared)) = nearest {
+            self.found = Some((point, Feature::Point(other), squared));
+        }
+        let nearest = features.segments.nearest(
+            place,
+            self.bound(),
+            budget,
+            |node| features.all_adjoin(node, point),
+            |segment| domain.segment_distance_squared(place, segment).0,
+        );
+        if let Some((segment, _)) = nearest {
+            self.take(point, segment);
+        }
+    }
+
+    /// The far end of each segment at `apex`, and on either side the next segment there that is at
+    /// least as long.
+    ///
+    /// What lies between is shorter: the distance of its own far end from this segment is smaller,
+    /// or that far end is what is nearest, which is a point.
+    fn search_around(&mut self, apex: u32) {
+        let domain = self.domain;
+        let spokes = domain.adjoining(apex);
+        let far_end = |s: usize| other_end(domain.segments[spokes[s] as usize], apex);
+        let squared_length: Vec<f64> = (0..spokes.len())
+            .map(|s| domain.point_distance_squared(domain.points[apex as usize], far_end(s)))
+            .collect();
+        let (once, back) = (0..spokes.len(), (0..spokes.len()).rev());
+        let ways: [Vec<usize>; 2] =
+            [once.clone().chain(once).collect(), back.clone().chain(back).collect()];
+        for way in ways {
+            // Those that have not come to one as long as they are: from the longest down.
+            let mut waiting: Vec<usize> = Vec::new();
+            for next in way {
+                while let Some(&shorter) = waiting.last()
+                    && squared_length[shorter] <= squared_length[next]
+                {
+                    waiting.pop();
+                    if shorter != next {
+                        self.take(far_end(shorter), spokes[next]);
+                    }
+                }
+                waiting.push(next);
+            }
+        }
+    }
+
+    fn bound(&self) -> f64 {
+        self.found.map_or(f64::INFINITY, |(_, _, squared)| squared)
+    }
+
+    /// Takes a pair, if it is the closest so far.
+    fn take(&mut self, point: u32, segment: u32) {
+        let place = self.domain.points[point as usize];
+        let (squared, end) = self.domain.segment_distance_squared(place, segment);
+        let is_first = |(first, _, least): (u32, _, f64)| {
+            squared < least || (squared == least && point < first)
+        };
+        if self.found.is_none_or(is_first) {
+            let feature = end.map_or(Feature::Segment(segment), Feature::Point);
+            self.found = Some((point, feature, squared));
         }
     }
 }

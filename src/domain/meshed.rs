@@ -185,7 +185,8 @@ impl Clean<'_> {
                 _ if i == j => f64::INFINITY,
                 distance => distance * distance,
             };
-            boxes.nearest(place(i), f64::INFINITY, &mut budget, squared).map_or(i, |(j, _)| j)
+            let found = boxes.nearest(place(i), f64::INFINITY, &mut budget, |_| false, squared);
+            found.map_or(i, |(j, _)| j)
         };
         let mut pairs: Vec<[u32; 2]> =
             indices.map(|i| (i, nearest(i))).map(|(i, j)| [i.min(j), i.max(j)]).collect();

@@ -7,6 +7,7 @@ mod closest;
 mod conflicts;
 mod error;
 mod faces;
+mod feature_size;
 mod hull;
 mod item;
 mod merge;
@@ -19,6 +20,7 @@ mod sweep;
 mod tests;
 
 use std::cmp::Ordering;
+use std::sync::OnceLock;
 
 pub use angles::Angle;
 pub use closest::{ClosestPair, Feature};
@@ -72,6 +74,8 @@ pub struct Domain {
     pub adjoining_start: Vec<u32>,
     /// See [`Domain::adjoining_start`].
     pub adjoining: Vec<u32>,
+    /// The index behind [`Domain::lfs`], once it is asked for.
+    features: OnceLock<feature_size::Features>,
 }
 
 impl Domain {
@@ -180,6 +184,7 @@ impl Domain {
             hull,
             adjoining_start,
             adjoining,
+            features: OnceLock::new(),
         };
         warnings.extend(domain.preflight(pslg));
         Ok((domain, warnings))
@@ -216,6 +221,12 @@ impl Domain {
             }
         }));
         libm::scalbn(0.5 * twice_area, 2 * self.scale_exponent)
+    }
+
+    /// A length in the units of the outline.
+    #[must_use]
+    pub fn unscaled(&self, length: f64) -> f64 {
+        libm::scalbn(length, self.scale_exponent)
     }
 
     /// The segments that end at a point, counter-clockwise.

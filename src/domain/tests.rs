@@ -356,4 +356,132 @@ fn a_star_of_100_000_spokes_is_no_matter_of_all_pairs() {
     let domain = domain(&points, &segments).expect("clean");
     assert_eq!((domain.faces.count(), domain.area()), (2, 16.0));
     assert_eq!(domain.adjoining(4).len(), count as usize);
+    // A tip and the spoke beside it: sin(2π / 100 000) apart.
+    let closest = domain.closest_pair().expect("no search is given up");
+    assert!((closest.distance / (std::f64::consts::TAU / 1e5) - 1.0).abs() < 1e-9, "{closest:?}");
+}
+
+#[test]
+fn the_closest_pair_of_a_star_with_spokes_of_many_lengths_is_found() {
+    let count = 20_000;
+    let length = |i: u32| 0.25 + 0.5 * f64::from(i.wrapping_mul(2_654_435_761) >> 8) / 16_777_216.0;
+    let spoke = |i: u32| {
+        let angle = std::f64::consts::TAU * (f64::from(i) + 0.5) / f64::from(count);
+        [length(i) * libm::cos(angle), length(i) * libm::sin(angle)]
+    };
+    let square = SQUARE.map(|p| p.map(|c| 4.0 * c - 2.0));
+    let points: Vec<[f64; 2]> =
+        square.into_iter().chain([[0.0, 0.0]]).chain((0..count).map(spoke)).collect();
+    let spokes = (0..count).map(|i| [4, 5 + i]);
+    let segments: Vec<[u32; 2]> = LOOP.into_iter().chain(spokes).collect();
+    let domain = domain(&points, &segments).expect("clean");
+    // The shortest tip beside a longer spoke: L·sin(2π / 20 000), or two tips.
+    let step = std::f64::consts::TAU / f64::from(count);
+    let gap = |i: u32, j: u32| {
+        let (short, long) = (length(i).min(length(j)), length(i).max(length(j)));
+        if short <= long * libm::cos(step) {
+            short * libm::sin(step)
+        } else {
+            libm::hypot(long - short * libm::cos(step), short * libm::sin(step))
+                .min(long * libm::sin(step))
+                .min(short * libm::sin(step))
+        }
+    };
+    let least = (0..count).map(|i| gap(i, (i + 1) % count)).fold(f64::INFINITY, f64::min);
+    let found = domain.closest_pair().expect("no search is given up").distance;
+    assert!((found / least - 1.0).abs() < 1e-9, "{found}, not {least}");
+    // Asked beside the hub, each question passes the spokes by.
+    for i in 0..2000 {
+        let place = [1e-6 * f64::from(i), 1e-6 * f64::from(i % 7)];
+        assert!(!domain.has_two_features_within(place, 0.2));
+        assert!(domain.lfs(place) > 0.2);
+    }
+}
+
+/// Definition 1 by a look at all pairs of features.
+fn lfs_of_all_pairs(domain: &Domain, place: [f64; 2]) -> f64 {
+    let points = (0..domain.points.len() as u32).map(|p| [p, p]);
+    let features: Vec<[u32; 2]> = points.chain(domain.segments.iter().copied()).collect();
+    let distance = |ends: [u32; 2]| {
+        let [a, b] = ends.map(|end| domain.points[end as usize]);
+        let along = [b[0] - a[0], b[1] - a[1]];
+        let dot = |u: [f64; 2], v: [f64; 2]| u[0] * v[0] + u[1] * v[1];
+        let length = dot(along, along).max(f64::MIN_POSITIVE);
+        let part = dot([place[0] - a[0], place[1] - a[1]], along) / length;
+        let part = part.clamp(0.0, 1.0);
+        libm::hypot(place[0] - a[0] - part * along[0], place[1] - a[1] - part * along[1])
+    };
+    let mut least = f64::INFINITY;
+    for (i, &f) in features.iter().enumerate() {
+        for &g in &features[..i] {
+            if f.iter().all(|end| !g.contains(end)) {
+                least = least.min(distance(f).max(distance(g)));
+            }
+        }
+    }
+    least
+}
+
+/// Some of [`soups`], clean or not, and places about it.
+#[derive(Debug)]
+struct Asked {
+    outline: Pslg,
+    places: Vec<[f64; 2]>,
+}
+
+fn asked() -> impl Strategy<Value = Asked> {
+    let places = prop::collection::vec([-10.0..50.0, -10.0..50.0_f64], 8);
+    (soups(), places).prop_map(|((points, segments), places)| {
+        let points: Vec<[f64; 2]> = points.iter().map(|p| p.map(|c| c as f64)).collect();
+        Asked { outline: outline(&points, &segments), places }
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn definition_1_is_that_of_a_look_at_all_pairs(Asked { outline, places } in asked()) {
+        let Ok((domain, _)) = Domain::new(&outline, Region::Hull) else {
+            return Ok(());
+        };
+        let lfs_min = domain.lfs_min().expect("a small outline");
+        for place in places.into_iter().chain(domain.points.iter().copied().take(4)) {
+            let (lfs, wanted) = (domain.lfs(place), lfs_of_all_pairs(&domain, place));
+            prop_assert!((lfs - wanted).abs() <= 1e-12 * wanted.max(1.0), "{lfs}, not {wanted}");
+            prop_assert!(lfs >= lfs_min * (1.0 - 1e-12));
+            for factor in [0.5, 1.0 - 1e-9, 1.0 + 1e-9, 2.0] {
+                let within = domain.has_two_features_within(place, factor * lfs);
+                prop_assert_eq!(within, factor > 1.0, "{} of {}", factor, lfs);
+            }
+        }
+    }
+
+    #[test]
+    fn the_local_feature_size_is_lipschitz(Asked { outline, places } in asked()) {
+        let Ok((domain, _)) = Domain::new(&outline, Region::Domain) else {
+            return Ok(());
+        };
+        for pair in places.windows(2) {
+            let apart = libm::hypot(pair[0][0] - pair[1][0], pair[0][1] - pair[1][1]);
+            prop_assert!(domain.lfs(pair[0]) <= apart + domain.lfs(pair[1]) * (1.0 + 1e-12));
+        }
+    }
+
+    #[test]
+    fn doubling_the_outline_doubles_the_feature_size(Asked { outline, places } in asked(), power in -300..300_i32) {
+        let Ok((domain, _)) = Domain::new(&outline, Region::Hull) else {
+            return Ok(());
+        };
+        let times = |p: [f64; 2]| p.map(|c| libm::scalbn(c, power));
+        let points = outline.points.iter().copied().map(times).collect();
+        let larger = Pslg { points, ..outline };
+        let (larger, _) = Domain::new(&larger, Region::Hull).expect("as clean");
+        let power = power - larger.scale_exponent;
+        let times = |c: f64| libm::scalbn(c, power);
+        prop_assert_eq!(larger.lfs_min(), domain.lfs_min().map(times));
+        for place in places {
+            prop_assert_eq!(larger.lfs(place.map(times)), times(domain.lfs(place)));
+        }
+    }
 }

@@ -265,7 +265,7 @@ fn info_tells_what_an_outline_holds() {
 file        square.poly: Triangle .poly, one-based, 4 points, 4 segments, 1 region
 extent      (0, 0) to (1, 1): doubles resolve 2e-16 here
 angles      smallest 90.00° at point 1 (segments 1, 4)
-detail      closest pair: points 1 and 4, 1 apart
+detail      closest pair: points 1 and 4, 1 apart; lfs_min 0.5
 groups      boundary 1: 3 segments · boundary 2: 1 segment
 outline     ready to mesh
 "

@@ -24,26 +24,49 @@ fn main() -> ExitCode {
     let arguments = Arguments::from_args();
     let trials = match corpus::folder() {
         Some(folder) => trials(&folder),
-        None => FOLDERS.iter().map(|folder| ignored(folder)).collect(),
+        None => {
+            let folders = FOLDERS.iter().map(|folder| format!("{folder}/*"));
+            folders.chain([LFS_MIN.to_owned()]).map(ignored).collect()
+        }
     };
     libtest_mimic::run(&arguments, trials).exit_code()
 }
 
 /// A test that is counted as ignored.
-fn ignored(folder: &str) -> Trial {
+fn ignored(name: String) -> Trial {
     let without_data = || Err(Failed::from(format!("{VARIABLE} is not set")));
-    Trial::test(format!("{folder}/*"), without_data).with_ignored_flag(true)
+    Trial::test(name, without_data).with_ignored_flag(true)
+}
+
+/// The name of the test of lfs_min.
+const LFS_MIN: &str = "the least local feature size of Lake Superior";
+
+/// lfs_min of Lake Superior as it was computed from all pairs.
+fn lfs_min_of_superior(folder: &Path) -> Result<(), Failed> {
+    let text = fs::read(folder.join("paper/superior.poly"))?;
+    let (outline, _) =
+        poly::read(&text, "superior.poly", |_| Err(std::io::ErrorKind::NotFound.into()))?;
+    let (domain, _) = domain::Domain::new(&outline, meshwright::Region::Domain)?;
+    let found = domain.lfs_min().ok_or("the search is given up")?;
+    let known = 8.330_436_717_544_945e-4;
+    if (found / known - 1.0).abs() < 1e-14 {
+        Ok(())
+    } else {
+        Err(format!("{found}, not {known}").into())
+    }
 }
 
 fn trials(folder: &Path) -> Vec<Trial> {
     match corpus::cases(folder) {
-        Ok(cases) => cases
-            .into_iter()
-            .map(|case| {
+        Ok(cases) => {
+            let superior = folder.to_owned();
+            let lfs_min = Trial::test(LFS_MIN, move || lfs_min_of_superior(&superior));
+            let cases = cases.into_iter().map(|case| {
                 let path = folder.join(&case.file);
                 Trial::test(case.file.clone(), move || behaves(case, path))
-            })
-            .collect(),
+            });
+            cases.chain([lfs_min]).collect()
+        }
         Err(error) => {
             let reason = format!("{}: {error}", folder.display());
             vec![Trial::test("answers", move || Err(Failed::from(reason)))]
