@@ -11,6 +11,9 @@
 pub struct Parameters {
     /// The output angle parameter κ̂.
     pub min_angle: MinAngle,
+    /// An angle above κ̂ that is reached where it can be: the soft target κ_t. What is promised is
+    /// κ̂ all the same.
+    pub soft_angle: Option<MinAngle>,
     /// No triangle may be larger than this area (squared units of the coordinates).
     pub max_area: Option<f64>,
     /// The run stops, with what it has, at this many points.
@@ -31,6 +34,7 @@ impl Default for Parameters {
     fn default() -> Self {
         Self {
             min_angle: MinAngle::default(),
+            soft_angle: None,
             max_area: None,
             max_points: 10_000_000,
             splitting: Splitting::default(),
@@ -63,13 +67,37 @@ impl MinAngle {
     /// The largest κ̂ that every promise holds for: arcsin 2^(-7/6), in degrees (rounded down).
     pub const LARGEST_DEGREES: f64 = 26.452;
 
+    /// The largest soft target that is reached but for a few angles on every outline tried, in
+    /// degrees.
+    pub const LARGEST_SOFT_DEGREES: f64 = 34.0;
+
     /// κ̂ from degrees.
     ///
     /// # Errors
     /// What is wrong with the value: it is no number from 0 to [`MinAngle::LARGEST_DEGREES`].
     pub fn from_degrees(degrees: f64) -> Result<Self, MinAngleError> {
-        if !(0.0..=Self::LARGEST_DEGREES).contains(&degrees) {
-            return Err(MinAngleError { degrees });
+        Self::up_to(Self::LARGEST_DEGREES, degrees)
+    }
+
+    /// A soft target κ_t from degrees.
+    ///
+    /// # Errors
+    /// What is wrong with the value: it is no number from 0 to [`MinAngle::LARGEST_SOFT_DEGREES`].
+    pub fn soft_from_degrees(degrees: f64) -> Result<Self, MinAngleError> {
+        Self::up_to(Self::LARGEST_SOFT_DEGREES, degrees)
+    }
+
+    /// A soft target that may be missed by far, or reached with a great many points: up to 60°.
+    ///
+    /// # Errors
+    /// What is wrong with the value: it is no number from 0 to 60.
+    pub fn without_guarantee_from_degrees(degrees: f64) -> Result<Self, MinAngleError> {
+        Self::up_to(60.0, degrees)
+    }
+
+    fn up_to(largest: f64, degrees: f64) -> Result<Self, MinAngleError> {
+        if !(0.0..=largest).contains(&degrees) {
+            return Err(MinAngleError { degrees, largest });
         }
         let tangent = libm::tan(degrees.to_radians());
         Ok(Self { numerator: tangent * tangent, denominator: 1.0 })
@@ -88,16 +116,18 @@ impl MinAngle {
     }
 }
 
-/// A minimum angle that the theorem does not cover.
+/// A minimum angle that is not offered.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "a minimum angle of {degrees}° is not possible: the refinement is proved to end from 0° to \
-     {largest}° (arcsin 2^(-7/6))",
-    largest = MinAngle::LARGEST_DEGREES
+    "a minimum angle of {degrees}° is not possible: it must be from 0° to {largest}° (the \
+     refinement is proved to end up to {proved}°, arcsin 2^(-7/6))",
+    proved = MinAngle::LARGEST_DEGREES
 )]
 pub struct MinAngleError {
     /// The value asked for.
     pub degrees: f64,
+    /// The largest one possible.
+    pub largest: f64,
 }
 
 /// Where a subsegment is split.

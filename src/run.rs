@@ -9,7 +9,7 @@ use crate::certify::{Certificate, Promise, certify};
 use crate::domain::{self, Domain};
 use crate::refine::segments::Segments;
 use crate::refine::sizing::Sizing;
-use crate::refine::{End, Precision, Progress, Refinement, refine};
+use crate::refine::{End, Progress, Refinement, refine};
 use crate::triangulation::initial::{self, triangulate};
 use crate::{Mesh, Parameters, Pslg};
 
@@ -27,6 +27,8 @@ pub struct Outcome {
     pub warnings: Vec<Warning>,
     /// Why the run ended: a mesh that was stopped early keeps no promise about its angles.
     pub end: End,
+    /// Angles below the soft target that are not excused: attacking them was not safe.
+    pub missed: Vec<Missed>,
     /// How many subsegments and triangles were left as they are at the precision floor.
     pub refused: usize,
     /// The points of the outline near which that was, zero-based. With [`Rule::Ruppert`] above
@@ -34,6 +36,15 @@ pub struct Outcome {
     ///
     /// [`Rule::Ruppert`]: crate::Rule::Ruppert
     pub refused_at: Vec<u32>,
+}
+
+/// An angle that misses the soft target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Missed {
+    /// Its triangle, zero-based.
+    pub triangle: u32,
+    /// The angle.
+    pub radians: f64,
 }
 
 /// An angle between two adjoining segments. Indices are those of the outline.
@@ -127,19 +138,22 @@ pub fn mesh_with(
     let domain_points = initial.domain_points.clone();
     let has_attributes = !pslg.point_attributes.is_empty();
     let kept = if has_attributes { initial.triangles.clone() } else { Vec::new() };
-    let precision = Precision::of(&domain);
-    let segments = Segments::of(&domain, &domain_points, precision.floor);
+    let segments = Segments::of(&domain, &domain_points, domain.floor());
     let sizing = sizing(parameters, &domain);
     let carved = carve(initial, &domain);
 
-    let mut refinement = Refinement::new(carved, segments, sizing, precision, parameters);
+    let mut refinement = Refinement::new(carved, segments, sizing, &domain, parameters);
     let end = refine(&mut refinement, progress);
     if end == End::Cancelled {
         return Err(Error::Cancelled);
     }
     let mesh = assemble(&refinement, &kept, &domain_points, &domain, pslg);
     let input = |&v: &u32| domain.input_points[domain_points[v as usize] as usize];
+    let missed = refinement.missed();
     Ok(Outcome {
+        missed: missed
+            .map(|(triangle, angle)| Missed { triangle, radians: angle.radians() })
+            .collect(),
         refused_at: refinement.stalled_at().iter().map(input).collect(),
         certificate: certify(pslg, &mesh, &Promise::from(parameters)),
         mesh,

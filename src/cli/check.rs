@@ -44,7 +44,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
             listed(Format::meshes_are_read)
         )));
     };
-    let promise = arguments.promise.promise();
+    let (promise, _) = arguments.promise.promise()?;
     let certificate = match &arguments.input {
         Some(path) => {
             let (mut pslg, _) = input::outline(path, None, voice)?;

@@ -68,7 +68,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     }
     check_places(std::slice::from_ref(&arguments.output), &drawn.files)?;
 
-    let promise = arguments.promise.promise();
+    let (promise, _) = arguments.promise.promise()?;
     let marks = match (&mut drawn.content, outline) {
         (Content::Outline(_), Some(_)) => {
             return Err(Failure::usage("--input goes with a mesh; the file holds an outline"));

@@ -8,7 +8,7 @@ use meshwright::domain::{self, Angle, ClosestPair, Domain, Feature};
 use meshwright::formats::Pslg;
 use meshwright::refine::End;
 use meshwright::statistics::{GroupCount, Statistics};
-use meshwright::{Excuse, Outcome, Parameters, Region, Rule, Splitting, Steiner};
+use meshwright::{Excuse, MinAngle, Missed, Outcome, Parameters, Region, Rule, Splitting, Steiner};
 use serde_json::{Map, Value, json};
 
 use super::failure::Exit;
@@ -74,6 +74,7 @@ pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
         ("certificate", certificate(&outcome.certificate)),
         ("stopped", json!(outcome.end == End::PointBudget)),
         ("refused", json!(outcome.refused)),
+        ("missed", outcome.missed.iter().map(missed).collect()),
         ("warnings", json!(report.warnings)),
         ("outputs", report.written.iter().map(output).collect()),
         ("exit", json!(report.exit as u8)),
@@ -83,9 +84,14 @@ pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
     finished(object)
 }
 
+fn missed(missed: &Missed) -> Value {
+    json!({ "triangle": missed.triangle, "angle": missed.radians.to_degrees() })
+}
+
 fn parameters(parameters: &Parameters) -> Value {
     let mut object = promise(&Promise::from(parameters));
     let more = json!({
+        "soft_angle": parameters.soft_angle.map(MinAngle::degrees),
         "max_area": parameters.max_area,
         "max_points": parameters.max_points,
         "splitting": match parameters.splitting {

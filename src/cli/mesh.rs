@@ -84,12 +84,13 @@ pub struct Arguments {
 /// Meshes.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let formats = arguments.formats()?;
+    let parameters = arguments.parameters()?;
     let (mut pslg, input) = input::outline(&arguments.input, arguments.from, voice)?;
     check_places(&arguments.output, &input.files)?;
     arguments.scale.apply(&mut pslg);
 
     let line = ProgressLine::new(voice);
-    let meshed = mesh_with(&pslg, &arguments.parameters(), &mut |progress| line.show(progress));
+    let meshed = mesh_with(&pslg, &parameters, &mut |progress| line.show(progress));
     let took = line.finish();
     let outcome = meshed.map_err(failure)?;
     outcome.warnings.iter().for_each(|warning| voice.warn(warning));
@@ -97,7 +98,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         voice.warn(limit(&outcome.certificate));
     }
 
-    let summary = Summary::new(&pslg, &outcome);
+    let summary = Summary::new(&pslg, &outcome, parameters.soft_angle);
     summary.say_mesh(&input.name, took, voice);
     let (written, notes) = arguments.write(&outcome.mesh, &formats)?;
     say_notes(notes, voice);
@@ -110,7 +111,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
             pslg: &pslg,
             outcome: &outcome,
             statistics: &summary.statistics,
-            parameters: &arguments.parameters(),
+            parameters: &parameters,
             written: &written,
             warnings: voice.warnings(),
             exit: exit.as_ref().map_or_else(|failure| failure.exit, |&exit| exit),
@@ -120,10 +121,11 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
 }
 
 impl Arguments {
-    fn parameters(&self) -> Parameters {
-        let promise = self.promise.promise();
-        Parameters {
+    fn parameters(&self) -> Result<Parameters, Failure> {
+        let (promise, soft_angle) = self.promise.promise()?;
+        Ok(Parameters {
             min_angle: promise.min_angle,
+            soft_angle,
             max_area: self.max_area,
             max_points: self.max_points as usize,
             splitting: self.splitting,
@@ -131,7 +133,7 @@ impl Arguments {
             steiner: self.steiner,
             rule: self.rule,
             region: promise.region,
-        }
+        })
     }
 
     /// The format of each output, known before anything is read.

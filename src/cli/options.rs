@@ -4,15 +4,20 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use meshwright::certify::Promise;
 use meshwright::formats::Pslg;
-use meshwright::{Excuse, MinAngle, Region};
+use meshwright::{Excuse, MinAngle, MinAngleError, Region};
+
+use super::failure::Failure;
 
 /// What the mesh is held to: the same options, with the same defaults, for `mesh` and `check`.
 #[derive(Debug, Args)]
 pub struct PromiseOptions {
-    /// The smallest angle that is promised where the outline allows it, up to 26.452
-    /// [default: 26.45].
-    #[arg(long, value_name = "DEG", value_parser = min_angle, allow_negative_numbers = true)]
-    min_angle: Option<MinAngle>,
+    /// The smallest angle where the outline allows it: promised up to 26.452 [default: 26.45], from
+    /// there to 34 a target that is reached but for a few angles, which are listed.
+    #[arg(long, value_name = "DEG", value_parser = number, allow_negative_numbers = true)]
+    min_angle: Option<f64>,
+    /// Take a --min-angle above 34: it may cost any number of points, up to --max-points.
+    #[arg(long)]
+    no_guarantee: bool,
     /// What is meshed: what the segments enclose less the holes, or the whole convex hull.
     #[arg(long, default_value = "domain", value_parser = one_of([
         ("domain", Region::Domain), ("hull", Region::Hull),
@@ -26,12 +31,32 @@ pub struct PromiseOptions {
 }
 
 impl PromiseOptions {
-    /// The promise that these options stand for.
-    pub fn promise(&self) -> Promise {
-        Promise {
-            min_angle: self.min_angle.unwrap_or_default(),
-            region: self.region,
-            excuse: self.excuse,
+    /// The promise that these options stand for, and the soft target above it.
+    pub fn promise(&self) -> Result<(Promise, Option<MinAngle>), Failure> {
+        let (min_angle, soft) = self.angles().map_err(|error| {
+            let failure = Failure::usage(format!("--min-angle: {error}"));
+            if self.no_guarantee {
+                return failure;
+            }
+            failure.with_help("--no-guarantee takes up to 60°, within --max-points")
+        })?;
+        Ok((Promise { min_angle, region: self.region, excuse: self.excuse }, soft))
+    }
+
+    fn angles(&self) -> Result<(MinAngle, Option<MinAngle>), MinAngleError> {
+        match self.min_angle {
+            None => Ok((MinAngle::default(), None)),
+            Some(degrees) if degrees <= MinAngle::LARGEST_DEGREES => {
+                Ok((MinAngle::from_degrees(degrees)?, None))
+            }
+            Some(degrees) => {
+                let soft = if self.no_guarantee {
+                    MinAngle::without_guarantee_from_degrees(degrees)?
+                } else {
+                    MinAngle::soft_from_degrees(degrees)?
+                };
+                Ok((MinAngle::default(), Some(soft)))
+            }
         }
     }
 }
@@ -98,8 +123,4 @@ pub fn zoom_box(text: &str) -> Result<[f64; 4], String> {
     } else {
         Err("the box is empty: xmin < xmax and ymin < ymax are needed".to_string())
     }
-}
-
-fn min_angle(text: &str) -> Result<MinAngle, String> {
-    MinAngle::from_degrees(number(text)?).map_err(|error| error.to_string())
 }

@@ -2,11 +2,11 @@
 
 use std::time::Duration;
 
-use meshwright::Outcome;
 use meshwright::certify::ExcusedAngle;
 use meshwright::formats::Pslg;
 use meshwright::refine::End;
 use meshwright::statistics::{Statistics, smallest_angle_but};
+use meshwright::{MinAngle, Missed, Outcome};
 
 use super::format::Format;
 use super::info::groups_text;
@@ -18,14 +18,15 @@ use super::wording::{angle, bytes, count, grouped};
 pub struct Summary<'a> {
     pslg: &'a Pslg,
     outcome: &'a Outcome,
+    soft_angle: Option<MinAngle>,
     /// The mesh's counts and angles.
     pub statistics: Statistics,
 }
 
 impl<'a> Summary<'a> {
     /// Counts what will be said.
-    pub fn new(pslg: &'a Pslg, outcome: &'a Outcome) -> Self {
-        Self { pslg, outcome, statistics: Statistics::of(&outcome.mesh) }
+    pub fn new(pslg: &'a Pslg, outcome: &'a Outcome, soft_angle: Option<MinAngle>) -> Self {
+        Self { pslg, outcome, soft_angle, statistics: Statistics::of(&outcome.mesh) }
     }
 
     /// From the outline to the certificate.
@@ -52,6 +53,13 @@ impl<'a> Summary<'a> {
         if voice.verbose {
             let excused = &self.outcome.certificate.excused;
             excused.iter().for_each(|excused| say(voice, "", &excused_text(excused)));
+        }
+        if let Some(target) = self.soft_angle {
+            say(voice, "target", &self.target(target, voice.verbose));
+            if voice.verbose {
+                let missed = &self.outcome.missed;
+                missed.iter().for_each(|missed| say(voice, "", &missed_text(missed)));
+            }
         }
         say(voice, "groups", &groups_text(&statistics.groups, "edge"));
         self.say_certificate(voice);
@@ -106,6 +114,26 @@ impl<'a> Summary<'a> {
         }
     }
 
+    /// `33.00°: reached, but for what the outline excuses; promised is 26.45°`
+    fn target(&self, target: MinAngle, verbose: bool) -> String {
+        let asked = angle(target.radians());
+        let promised = angle(MinAngle::default().radians());
+        let least = self.outcome.missed.iter().map(|missed| missed.radians);
+        let least = least.fold(f64::INFINITY, f64::min);
+        let list = if verbose { "" } else { "; --verbose lists them" };
+        match self.outcome.missed.len() {
+            0 => format!(
+                "{asked}: reached, but for what the outline excuses; promised is {promised}"
+            ),
+            n => format!(
+                "{asked}: {} missed, from {} up, where it was not safe to ask for more; promised is \
+                 {promised}{list}",
+                count(n, "angle"),
+                angle(least)
+            ),
+        }
+    }
+
     fn say_certificate(&self, voice: &Voice) {
         let certificate = &self.outcome.certificate;
         let (label, text) = match (self.outcome.end, certificate.holds()) {
@@ -136,6 +164,12 @@ pub fn excused_text(excused: &ExcusedAngle) -> String {
         excused.segments[1].number,
         angle(excused.theta)
     )
+}
+
+/// `triangle 12: 27.3° misses the target`
+fn missed_text(missed: &Missed) -> String {
+    let number = u64::from(missed.triangle) + 1;
+    format!("triangle {number}: {} misses the target", angle(missed.radians))
 }
 
 /// `1 294 points, 1 294 segments, 16 holes`

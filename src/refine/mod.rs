@@ -9,7 +9,7 @@
 //! | Algorithm 1 (§9) | `augment` |
 //! | splitting on dyadic ladders (ours) | [`ladder`] |
 //! | points, midpoints, circumcenters, §3 | [`provenance`] |
-//! | any further trigger (ours) | [`sizing`] |
+//! | any further trigger (ours) | [`sizing`], [`soft`] |
 //! | the Terminator, for comparison (§1) | [`terminator`] |
 //!
 //! [`refine`] is the loop; [`Refinement`] is everything that it changes.
@@ -25,6 +25,7 @@ pub mod queue;
 pub mod segments;
 pub mod shells;
 pub mod sizing;
+pub mod soft;
 mod stall;
 pub mod steiner;
 pub mod terminator;
@@ -32,8 +33,9 @@ pub mod terminator;
 use std::collections::{BTreeSet, VecDeque};
 use std::ops::ControlFlow;
 
+use crate::constructions::Angle;
 use crate::domain::Domain;
-use crate::parameters::{Parameters, Rule, Splitting, Steiner};
+use crate::parameters::{MinAngle, Parameters, Rule, Splitting, Steiner};
 use crate::triangulation::{Cavity, Triangulation};
 use provenance::Provenances;
 use quality::Trigger;
@@ -60,6 +62,7 @@ pub struct Refinement<'a> {
     pub segments: Segments,
     /// What was refused where doubles end.
     pub refused: Refused,
+    domain: &'a Domain,
     parameters: &'a Parameters,
     sizing: Sizing,
     precision: Precision,
@@ -160,7 +163,7 @@ impl<'a> Refinement<'a> {
         mesh: Triangulation,
         segments: Segments,
         sizing: Sizing,
-        precision: Precision,
+        domain: &'a Domain,
         parameters: &'a Parameters,
     ) -> Self {
         let worst_first =
@@ -170,9 +173,10 @@ impl<'a> Refinement<'a> {
             mesh,
             segments,
             refused: Refused::default(),
+            domain,
             parameters,
             sizing,
-            precision,
+            precision: Precision::of(domain),
             order: if worst_first { Order::SmallestAngle } else { Order::ShortestEdge },
             queue: Queue::default(),
             pending: VecDeque::new(),
@@ -220,26 +224,45 @@ impl<'a> Refinement<'a> {
         }
     }
 
-    /// Why a triangle is bad, if it is: an angle below κ̂ that is not excused, or its size.
+    /// Why a triangle is bad, if it is: an angle below κ̂, or below the soft target where that may
+    /// be attacked, that is not excused; or its size.
     fn trigger(&self, slot: u32) -> Option<Trigger> {
         let corners = self.mesh.corners(slot);
-        let vertices = self.mesh.triangles[slot as usize].vertices;
-        let kappa = self.parameters.min_angle;
-        let excused = |edge: usize, angle| self.is_excused(vertices, edge, angle);
-        quality::trigger(corners, kappa, excused).or_else(|| {
+        let allowed = |found: &Trigger| {
+            self.parameters.soft_angle.is_none()
+                || found.angle.is_below(self.parameters.min_angle)
+                || soft::may_attack(self.domain, corners, *found)
+        };
+        self.small_angle(slot).filter(allowed).or_else(|| {
             let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
             self.sizing.is_too_large(corners, region).then(|| quality::by_size(corners))
         })
     }
 
+    /// The smallest angle of a triangle that is below what is asked for and not excused.
+    fn small_angle(&self, slot: u32) -> Option<Trigger> {
+        let vertices = self.mesh.triangles[slot as usize].vertices;
+        let excused = |edge: usize, angle| self.is_excused(vertices, edge, angle);
+        quality::trigger(self.mesh.corners(slot), self.target(), excused)
+    }
+
+    /// The angle asked for: the soft target, or κ̂ where there is none.
+    fn target(&self) -> MinAngle {
+        self.parameters.soft_angle.unwrap_or(self.parameters.min_angle)
+    }
+
+    /// The triangles with an angle below the soft target that is not excused, by their slots, with
+    /// the angle; none without a soft target.
+    pub fn missed(&self) -> impl Iterator<Item = (u32, Angle)> + '_ {
+        let soft = self.parameters.soft_angle.map(|_| 0..self.mesh.triangles.len() as u32);
+        soft.into_iter()
+            .flatten()
+            .filter_map(|slot| self.small_angle(slot).map(|found| (slot, found.angle)))
+    }
+
     /// Whether the `angle` opposite an edge is left alone, because the edge lies across a small
     /// input angle.
-    fn is_excused(
-        &self,
-        vertices: [u32; 3],
-        edge: usize,
-        angle: crate::constructions::Angle,
-    ) -> bool {
+    fn is_excused(&self, vertices: [u32; 3], edge: usize, angle: Angle) -> bool {
         if self.parameters.rule != Rule::Adaptive {
             return false;
         }
@@ -338,7 +361,7 @@ impl<'a> Refinement<'a> {
             let [a, b] = self.cavity.boundary[i].seen;
             let slot = self.cavity.star[i];
             let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
-            if quality::may_be_small(a, b, self.parameters.min_angle)
+            if quality::may_be_small(a, b, self.target())
                 || self.sizing.may_be_too_large(a, b, region)
             {
                 self.queue_if_bad(slot);

@@ -14,14 +14,17 @@ pub fn point(parameters: &Parameters, corners: [[f64; 2]; 3], trigger: Trigger) 
     let circumcenter = trigger.angle.dot / (2.0 * trigger.angle.cross);
     let by_angle = trigger.angle.is_below(parameters.min_angle);
     let height = match parameters.steiner {
-        Steiner::OffCenter if by_angle => circumcenter.min(off_center(parameters.min_angle)),
+        Steiner::OffCenter if by_angle => {
+            circumcenter.min(off_center(parameters.soft_angle.unwrap_or(parameters.min_angle)))
+        }
         _ => circumcenter,
     };
     on_bisector(a, b, height)
 }
 
 /// λ = 0.475·cot(κ̂/2): the height of Üngör's off-center over the trigger edge, in its lengths.
-/// There the new triangle's angle opposite is a little above κ̂.
+/// There the new triangle's angle opposite is a little above κ̂. With a soft target that takes κ̂'s
+/// place here.
 fn off_center(kappa: MinAngle) -> f64 {
     let tangent = (kappa.numerator / kappa.denominator).sqrt();
     let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();

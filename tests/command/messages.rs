@@ -35,7 +35,8 @@ help: `meshwright draw site.poly -o site.svg` shows the place
 fn wrong_values_are_refused_with_the_reason() {
     let bench = Bench::with("usage", "square.poly", SQUARE);
     for (arguments, reason) in [
-        ("--min-angle 30", "a minimum angle of 30° is not possible: the refinement is proved"),
+        ("--min-angle 35", "a minimum angle of 35° is not possible: it must be from 0° to 34°"),
+        ("--min-angle 61 --no-guarantee", "it must be from 0° to 60°"),
         ("--min-angle -1", "a minimum angle of -1° is not possible"),
         ("--min-angle 26,4", "this is no finite number"),
         ("--min-angle nan", "this is no finite number"),
@@ -44,10 +45,10 @@ fn wrong_values_are_refused_with_the_reason() {
         ("--max-area inf", "this is no finite number"),
         ("--max-points 2", "2 is not in 3..=4294967295"),
         ("--scale 0", "it must be greater than 0"),
-        ("--splitting steps", "[possible values: ladder, shells]"),
+        ("--splitting steps", "[possible values: ladder, shells, augment]"),
         ("--excuse none", "[possible values: measured, midpoints]"),
         ("--steiner centroid", "[possible values: off-center, circumcenter]"),
-        ("--rule chew", "[possible values: adaptive, ruppert]"),
+        ("--rule chew", "[possible values: adaptive, ruppert, terminator]"),
         ("--region box", "[possible values: domain, hull]"),
         ("--no-such-flag", "unexpected argument '--no-such-flag'"),
         ("-q -v", "cannot be used with"),
