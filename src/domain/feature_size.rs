@@ -59,7 +59,7 @@ impl Domain {
     pub fn has_two_features_within(&self, place: [f64; 2], radius: f64) -> bool {
         place.iter().all(|x| x.is_finite())
             && radius >= 0.0
-            && self.features().has_two_within(self, place, radius * radius)
+            && self.features().has_two_within(self, place, radius * radius, Met::default())
     }
 
     /// The index of the features, built when it is first asked for.
@@ -142,8 +142,14 @@ impl Features {
         })
     }
 
-    fn has_two_within(&self, domain: &Domain, place: [f64; 2], radius_squared: f64) -> bool {
-        let mut met = Met::default();
+    /// Whether two disjoint features lie in the ball, of which some are `met` already.
+    fn has_two_within(
+        &self,
+        domain: &Domain,
+        place: [f64; 2],
+        radius_squared: f64,
+        mut met: Met,
+    ) -> bool {
         for kind in [Kind::Point, Kind::Segment] {
             let tree = self.tree(kind);
             let mut pending: Vec<Node> = tree.root().into_iter().collect();
@@ -180,6 +186,17 @@ impl Features {
         kind == Kind::Segment && met.center.is_some_and(|center| self.all_end_at(node, center))
     }
 
+    /// The nearest point of the outline, unless two disjoint features lie as near: with it the
+    /// segments that end there need not be looked at, however many pass nearer.
+    fn met_with_nearest_point(&self, domain: &Domain, place: [f64; 2]) -> Met {
+        let squared = |point| domain.point_distance_squared(place, point);
+        let mut budget = usize::MAX;
+        let nearest = self.points.nearest(place, f64::INFINITY, &mut budget, |_| false, squared);
+        let Some((point, squared)) = nearest else { return Met::default() };
+        let met = Met { first: vec![[point, point]], center: Some(point) };
+        if self.has_two_within(domain, place, squared, met.clone()) { Met::default() } else { met }
+    }
+
     /// The squared distance of the first feature, by increasing distance, that is disjoint from
     /// one before it.
     fn lfs_squared(&self, domain: &Domain, place: [f64; 2]) -> f64 {
@@ -192,7 +209,7 @@ impl Features {
         for kind in [Kind::Point, Kind::Segment] {
             nearest.extend(self.tree(kind).root().map(|root| part(kind, root)));
         }
-        let mut met = Met::default();
+        let mut met = self.met_with_nearest_point(domain, place);
         while let Some(Reverse((squared, next))) = nearest.pop() {
             match next {
                 Next::Feature(feature) => {
@@ -249,7 +266,7 @@ enum Next {
 /// Three distinct features stand for all: they are the sides of a triangle, which nothing else
 /// meets without being disjoint from a side, or they have one point in common, which every other
 /// feature that meets all three has too.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Met {
     first: Vec<[u32; 2]>,
     /// The one point that all features have, once it is known.
