@@ -58,4 +58,4 @@ mod vector;
 pub use parameters::{
     Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,
 };
-pub use run::{Error, InputAngle, Missed, Outcome, Warning, mesh, mesh_with};
+pub use run::{Error, InputAngle, Missed, Outcome, Warning, mesh, mesh_with, trace};

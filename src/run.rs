@@ -9,6 +9,7 @@ use crate::certify::{Certificate, Promise, certify};
 use crate::domain::{self, Domain};
 use crate::refine::segments::Segments;
 use crate::refine::sizing::Sizing;
+use crate::refine::trace::{Event, Listener, Names};
 use crate::refine::{End, Progress, Refinement, refine};
 use crate::triangulation::initial::{self, triangulate};
 use crate::{Mesh, Parameters, Pslg};
@@ -133,6 +134,47 @@ pub fn mesh_with(
     parameters: &Parameters,
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Outcome, Error> {
+    run(pslg, parameters, progress, None)
+}
+
+/// [`mesh`], telling every step that the refinement takes, with its reason.
+///
+/// ```
+/// use meshwright::refine::trace::{Event, Replay};
+/// use meshwright::{Parameters, Pslg};
+/// let needle = Pslg {
+///     points: vec![[0.0, 0.0], [4.0, 0.0], [4.0, 1.0]],
+///     segments: vec![[0, 1], [1, 2], [2, 0]],
+///     segment_tags: vec![0; 3],
+///     ..Pslg::default()
+/// };
+/// let mut replay = Replay::default();
+/// let mut splits = 0;
+/// let outcome = meshwright::trace(&needle, &Parameters::default(), &mut |event| {
+///     splits += usize::from(matches!(event, Event::Split { .. }));
+///     replay.apply(event).expect("it is one run's event");
+/// })?;
+/// assert!(splits > 0);
+/// assert_eq!(replay.mesh().points, outcome.mesh.points);
+/// # Ok::<(), meshwright::Error>(())
+/// ```
+///
+/// # Errors
+/// See [`Error`].
+pub fn trace(
+    pslg: &Pslg,
+    parameters: &Parameters,
+    hear: &mut dyn FnMut(&Event),
+) -> Result<Outcome, Error> {
+    run(pslg, parameters, &mut |_| ControlFlow::Continue(()), Some(hear))
+}
+
+fn run(
+    pslg: &Pslg,
+    parameters: &Parameters,
+    progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    hear: Option<&mut dyn FnMut(&Event)>,
+) -> Result<Outcome, Error> {
     let (domain, warnings) = Domain::new(pslg, parameters.region)?;
     let initial = triangulate(&domain)?;
     let domain_points = initial.domain_points.clone();
@@ -142,7 +184,12 @@ pub fn mesh_with(
     let sizing = sizing(parameters, &domain);
     let carved = carve(initial, &domain);
 
+    let names = Names::new(&domain, &domain_points, pslg.points.len());
+    let mut translate = hear.map(|hear| |event| hear(&names.translate(event)));
     let mut refinement = Refinement::new(carved, segments, sizing, &domain, parameters);
+    if let Some(translate) = &mut translate {
+        refinement.listener = Listener::new(translate);
+    }
     let end = refine(&mut refinement, progress);
     if end == End::Cancelled {
         return Err(Error::Cancelled);

@@ -4,6 +4,7 @@
 use super::Refinement;
 use super::piece::power_of_two_below;
 use super::provenance::{End, Kind, Origin, SegmentPoint};
+use super::trace::Cause;
 use crate::constructions::segment_length;
 
 impl Refinement<'_> {
@@ -29,7 +30,8 @@ impl Refinement<'_> {
                     origin: Origin::Rung,
                 };
                 let edge = self.mesh.subsegment(piece[0], piece[1]);
-                if edge.is_some_and(|edge| self.commit_split(edge, point)) {
+                if edge.is_some_and(|edge| self.commit_split(edge, point).is_ok()) {
+                    self.tell_split(piece, Cause::Augmented);
                     far = self.mesh.points.len() as u32 - 1;
                 } else {
                     far = ends[0];

@@ -7,6 +7,7 @@
 use std::ops::ControlFlow;
 
 use super::provenance::SegmentPoint;
+use super::trace::{Cause, Refusal};
 use super::{Flow, Refinement, Watch};
 use crate::constructions::point_on_segment;
 use crate::predicates::{Relative, encroaches};
@@ -24,9 +25,9 @@ impl Refinement<'_> {
     /// Splits until no subsegment is encroached, or what is left is refused.
     pub(super) fn restore_conformality(&mut self, watch: &mut Watch) -> Flow {
         self.tell_progress(watch)?;
-        while let Some(ends) = self.pending.pop_front() {
+        while let Some((ends, cause)) = self.pending.pop_front() {
             self.leave_room()?;
-            self.split(ends);
+            self.split(ends, cause);
             self.tell_progress(watch)?;
         }
         ControlFlow::Continue(())
@@ -36,7 +37,7 @@ impl Refinement<'_> {
         let apex = self.mesh.apex(edge);
         let ends = self.mesh.ends(edge);
         if self.is_encroached(ends, apex) {
-            self.pending.push_back(ends);
+            self.pending.push_back((ends, Cause::Encroached(apex)));
         }
     }
 
@@ -91,7 +92,7 @@ impl Refinement<'_> {
 
     /// Splits a subsegment, unless it is gone or the split is refused. Queues what the new point
     /// encroaches and which triangles it makes bad.
-    pub(super) fn split(&mut self, ends: [u32; 2]) -> bool {
+    pub(super) fn split(&mut self, ends: [u32; 2], cause: Cause) -> bool {
         let key = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         if self.refused.subsegments.contains(&key) {
             return false;
@@ -99,27 +100,29 @@ impl Refinement<'_> {
         let Some(edge) = self.mesh.subsegment(ends[0], ends[1]) else {
             return false;
         };
-        let split = self.split_of(edge);
-        if !split.is_some_and(|split| self.commit_split(edge, split)) {
+        let committed = self.split_of(edge).and_then(|split| self.commit_split(edge, split));
+        if let Err(refusal) = committed {
             self.refused.subsegments.insert(key);
+            self.tell_refused_split(ends, cause, refusal);
             return false;
         }
+        self.tell_split(ends, cause);
         self.queue_encroached_by_star();
         self.queue_bad_of_star();
         true
     }
 
     /// Where (§10 or ours) a subsegment is to be split.
-    fn split_of(&self, edge: Edge) -> Option<SegmentPoint> {
+    fn split_of(&self, edge: Edge) -> Result<SegmentPoint, Refusal> {
         let piece = self.mesh.ends(edge);
-        let segment = self.segment_of(piece)?;
+        let segment = self.segment_of(piece).ok_or(Refusal::Malformed)?;
         let splitting = self.parameters.splitting;
         let points = &self.mesh.points;
-        Some(self.segments.split(splitting, segment, piece, points, &self.provenances))
+        Ok(self.segments.split(splitting, segment, piece, points, &self.provenances))
     }
 
     /// Splits the subsegment `edge` there, unless that is refused (ALGORITHM §9).
-    pub(super) fn commit_split(&mut self, edge: Edge, split: SegmentPoint) -> bool {
+    pub(super) fn commit_split(&mut self, edge: Edge, split: SegmentPoint) -> Result<(), Refusal> {
         let (piece, points) = (self.mesh.ends(edge), &self.mesh.points);
         let segment = split.segment;
         let ends = self.segments.ends[segment as usize];
@@ -134,15 +137,14 @@ impl Refinement<'_> {
             Some(other) => other.segment == segment,
             None => ends.contains(&v),
         };
-        if too_short
-            || self.cavity.of_split_point(&self.mesh, point, edge, on_segment).is_err()
-            || self.cavity.expect_visible(&self.mesh).is_err()
-        {
-            return false;
+        if too_short {
+            return Err(Refusal::Floor);
         }
+        self.cavity.of_split_point(&self.mesh, point, edge, on_segment)?;
+        self.cavity.expect_visible(&self.mesh)?;
         self.mesh.commit(&mut self.cavity);
         self.provenances.push_segment_point(split);
-        true
+        Ok(())
     }
 
     /// After a split: the subsegments around the new point that it encroaches, and its own two
@@ -152,7 +154,7 @@ impl Refinement<'_> {
         for i in 0..self.cavity.boundary.len() {
             let side = self.cavity.boundary[i];
             if side.behind.is_constrained() && self.is_encroached(side.ends, vertex) {
-                self.pending.push_back(side.ends);
+                self.pending.push_back((side.ends, Cause::Encroached(vertex)));
             }
         }
         let halves: Vec<Edge> = self.cavity.halves().collect();

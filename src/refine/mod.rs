@@ -11,6 +11,7 @@
 //! | points, midpoints, circumcenters, §3 | [`provenance`] |
 //! | any further trigger (ours) | [`sizing`], [`soft`] |
 //! | the Terminator, for comparison (§1) | [`terminator`] |
+//! | what is done, step by step | [`trace`] |
 //!
 //! [`refine`] is the loop; [`Refinement`] is everything that it changes.
 
@@ -29,6 +30,7 @@ pub mod soft;
 mod stall;
 pub mod steiner;
 pub mod terminator;
+pub mod trace;
 
 use std::collections::{BTreeSet, VecDeque};
 use std::ops::ControlFlow;
@@ -42,6 +44,7 @@ use quality::Trigger;
 use queue::{Entry, Order, Queue};
 use segments::Segments;
 use sizing::Sizing;
+use trace::{Cause, Listener, Proposer, Refusal};
 
 /// Bad triangles are taken tile by tile, this many triangles in the order of their slots: a tile
 /// stays in the cache.
@@ -62,13 +65,15 @@ pub struct Refinement<'a> {
     pub segments: Segments,
     /// What was refused where doubles end.
     pub refused: Refused,
+    /// Who hears each step.
+    pub listener: Listener<'a>,
     domain: &'a Domain,
     parameters: &'a Parameters,
     sizing: Sizing,
     precision: Precision,
     order: Order,
     queue: Queue,
-    pending: VecDeque<[u32; 2]>,
+    pending: VecDeque<([u32; 2], Cause)>,
     cavity: Cavity,
 }
 
@@ -173,6 +178,7 @@ impl<'a> Refinement<'a> {
             mesh,
             segments,
             refused: Refused::default(),
+            listener: Listener::default(),
             domain,
             parameters,
             sizing,
@@ -187,6 +193,7 @@ impl<'a> Refinement<'a> {
     /// The loop of §3: conformality first, always; then quality, tile by tile.
     fn run(&mut self, tell: &mut dyn FnMut(Progress) -> ControlFlow<()>) -> Flow {
         let mut watch = Watch { tell, next: 0 };
+        self.tell_start();
         if self.parameters.splitting == Splitting::Augment {
             self.augment();
         }
@@ -293,18 +300,22 @@ impl<'a> Refinement<'a> {
         self.leave_room()?;
         let corners = self.mesh.corners(entry.slot);
         let point = self.precision.round(steiner::point(self.parameters, corners, trigger));
-        if self.cavity.of_steiner_point(&self.mesh, point, entry.slot).is_err() {
-            self.refused.triangles.push(entry);
+        let vertices = self.mesh.triangles[entry.slot as usize].vertices;
+        let proposer = Proposer { vertices, trigger, point };
+        if let Err(rejected) = self.cavity.of_steiner_point(&self.mesh, point, entry.slot) {
+            self.refuse(entry, proposer, rejected.into());
             return ControlFlow::Continue(());
         }
         let mut encroached: Vec<[u32; 2]> =
             self.cavity.encroached(&self.mesh).map(|side| side.ends).collect();
         if encroached.is_empty() {
-            if !self.commit_steiner_point() {
-                self.refused.triangles.push(entry);
+            match self.commit_steiner_point() {
+                Ok(()) => self.tell_commit(proposer),
+                Err(refusal) => self.refuse(entry, proposer, refusal),
             }
             return ControlFlow::Continue(());
         }
+        self.tell_rejected(proposer, &encroached);
         if self.parameters.rule == Rule::Terminator {
             let shortest = trigger.squared.sqrt();
             encroached.retain(|&ends| self.terminator_splits(ends, shortest));
@@ -314,11 +325,11 @@ impl<'a> Refinement<'a> {
         }
         let mut split = false;
         for ends in encroached {
-            split |= self.split(ends);
+            split |= self.split(ends, Cause::Rejected(vertices));
         }
         self.restore_conformality(watch)?;
         if !split {
-            self.refused.triangles.push(entry);
+            self.refuse(entry, proposer, Refusal::AllSplitsRefused);
         } else if still_there(&self.mesh) {
             self.queue_if_bad(entry.slot);
         }
@@ -342,17 +353,22 @@ impl<'a> Refinement<'a> {
         }
     }
 
-    fn commit_steiner_point(&mut self) -> bool {
+    /// Leaves a bad triangle as it is.
+    fn refuse(&mut self, entry: Entry, proposer: Proposer, refusal: Refusal) {
+        self.refused.triangles.push(entry);
+        self.tell_refused_point(proposer, refusal);
+    }
+
+    fn commit_steiner_point(&mut self) -> Result<(), Refusal> {
         let floor = self.precision.floor;
-        let refused = self.cavity.nearest_squared() < floor * floor
-            || self.cavity.expect_visible(&self.mesh).is_err();
-        if refused {
-            return false;
+        if self.cavity.nearest_squared() < floor * floor {
+            return Err(Refusal::Floor);
         }
+        self.cavity.expect_visible(&self.mesh)?;
         self.mesh.commit(&mut self.cavity);
         self.provenances.push_steiner_point();
         self.queue_bad_of_star();
-        true
+        Ok(())
     }
 
     /// Queues the bad ones of the triangles that were just made.

@@ -26,6 +26,8 @@ pub struct Trigger {
     pub squared: f64,
     /// The angle.
     pub angle: Angle,
+    /// Whether the triangle is only too large: the angle is its smallest one.
+    pub only_size: bool,
 }
 
 /// The smallest angle of a counter-clockwise triangle that is below κ̂ and not excused: `excused`
@@ -42,7 +44,7 @@ pub fn trigger(
     edges_by_length(corners)[..2].iter().find_map(|&(edge, squared)| {
         let angle = Angle::at(corners[edge], corners[next(edge)], corners[previous(edge)]);
         let bad = angle.is_below(kappa) && !excused(edge, angle);
-        bad.then_some(Trigger { edge, squared, angle })
+        bad.then_some(Trigger { edge, squared, angle, only_size: false })
     })
 }
 
@@ -51,7 +53,7 @@ pub fn trigger(
 pub fn by_size(corners: [[f64; 2]; 3]) -> Trigger {
     let (edge, squared) = edges_by_length(corners)[0];
     let angle = Angle::at(corners[edge], corners[next(edge)], corners[previous(edge)]);
-    Trigger { edge, squared, angle }
+    Trigger { edge, squared, angle, only_size: true }
 }
 
 /// The edges of a triangle with their squared lengths, the shortest first.
