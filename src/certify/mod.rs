@@ -21,6 +21,7 @@ mod cover;
 mod delaunay;
 mod exact;
 mod frame;
+mod hull;
 mod outline;
 mod precision;
 mod tags;

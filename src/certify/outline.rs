@@ -10,6 +10,8 @@ use std::cmp::Ordering;
 use super::complex::NONE;
 use super::exact;
 use super::frame::Frame;
+use super::hull;
+use super::precision::FLOOR;
 use super::verdict::Numbered;
 use crate::formats::{Pslg, Tag};
 use crate::parameters::Region;
@@ -146,8 +148,15 @@ impl<'a> Outline<'a> {
         let lower = chain(&mut self.sorted.iter().copied());
         let upper = chain(&mut self.sorted.iter().rev().copied());
         let edges = lower.windows(2).chain(upper.windows(2)).map(|pair| [pair[0], pair[1]]);
-        let new: Vec<_> =
-            edges.filter(|&edge| known.binary_search(&ordered(edge)).is_err()).collect();
+        let is_new = |edge: &[u32; 2]| known.binary_search(&ordered(*edge)).is_err();
+        let hull: Vec<_> = edges.collect();
+        let mut on_hull = vec![false; self.points.len()];
+        hull.iter().flatten().for_each(|&v| on_hull[v as usize] = true);
+        let new: Vec<_> = hull.into_iter().filter(is_new).collect();
+        let others = self.sorted.iter().copied().filter(|&v| !on_hull[v as usize]);
+        let new =
+            hull::through_near_points(&new, &self.points, others, 2.0 * FLOOR * self.frame.ulp);
+        let new: Vec<_> = new.into_iter().filter(is_new).collect();
         self.segments.extend(new.into_iter().map(|ends| Segment { ends, input: NONE, tag: 0 }));
     }
 

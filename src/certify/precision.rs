@@ -165,7 +165,7 @@ struct Stretch {
 }
 
 /// φ in ulp(M): nothing shorter is made.
-const FLOOR: f64 = 4096.0;
+pub(super) const FLOOR: f64 = 4096.0;
 
 fn narrow(outline: &Outline, complex: &Complex, point: u32, to: NarrowTo, gap: f64) -> Narrow {
     Narrow {

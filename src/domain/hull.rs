@@ -1,6 +1,8 @@
 //! The convex hull of the points.
 
+use super::boxes::{Boxes, Rectangle};
 use crate::predicates::{Side, side};
+use crate::vector::Vector;
 
 /// The edges of the convex hull, counter-clockwise, split at every point that lies on it.
 /// `order`: the points from left to right (lexicographic), all distinct. Empty if all are collinear.
@@ -24,6 +26,65 @@ pub fn missing(hull_edges: Vec<[u32; 2]>, segments: &[[u32; 2]]) -> Vec<[u32; 2]
     present.sort_unstable();
     let missing = |&edge: &[u32; 2]| present.binary_search(&undirected(edge)).is_err();
     hull_edges.into_iter().filter(missing).collect()
+}
+
+/// The same edges, but through every point that is nearer to one of them than `closest`. `on_hull`:
+/// the points at which hull edges end.
+///
+/// A hull edge that passes a point at rounding distance (points along the side of a turned
+/// rectangle) would ask for triangles as thin as that. Through those points the boundary is as
+/// convex as doubles can tell.
+pub fn through_near_points(
+    edges: &[[u32; 2]],
+    points: &[[f64; 2]],
+    on_hull: &[bool],
+    closest: f64,
+) -> Vec<[u32; 2]> {
+    let at = |edge: u32| edges[edge as usize].map(|end| points[end as usize]);
+    let rectangles: Vec<_> =
+        (0..edges.len() as u32).map(at).map(|[a, b]| Rectangle::around(a, b)).collect();
+    let boxes = Boxes::new(&rectangles);
+    let mut beside: Vec<(u32, f64, u32)> = Vec::new();
+    for point in (0..points.len() as u32).filter(|&point| !on_hull[point as usize]) {
+        let place = points[point as usize];
+        // Squared, and infinite where the foot is not between the ends.
+        let distance = |edge: u32| {
+            let [a, b] = at(edge);
+            let (along, to_a) = (Vector::between(a, b), Vector::between(a, place));
+            let height = along.cross(to_a) / along.length();
+            let foot = along.dot(to_a) / along.dot(along);
+            if 0.0 < foot && foot < 1.0 { height * height } else { f64::INFINITY }
+        };
+        let mut budget = usize::MAX;
+        let bound = closest * closest;
+        if let Some((edge, _)) = boxes.nearest(place, bound, &mut budget, |_| false, distance) {
+            let [a, b] = at(edge);
+            beside.push((edge, Vector::between(a, b).dot(Vector::between(a, place)), point));
+        }
+    }
+    beside.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+    let mut beside = beside.into_iter().peekable();
+    let mut chain = Vec::with_capacity(edges.len());
+    for (edge, &[a, b]) in (0..).zip(edges) {
+        let mut from = a;
+        while let Some((_, _, point)) = beside.next_if(|&(own, ..)| own == edge) {
+            chain.push([from, point]);
+            from = point;
+        }
+        chain.push([from, b]);
+    }
+    chain
+}
+
+/// Whether the hull is narrower than `closest`: then its points lie on one line as far as doubles
+/// can tell. (A convex set's width is at most twice its area over its diameter.)
+pub fn is_line(edges: &[[u32; 2]], points: &[[f64; 2]], closest: f64) -> bool {
+    let at = |end: u32| points[end as usize];
+    let Some(&[first, _]) = edges.first() else { return true };
+    let from_first = |end: u32| Vector::between(at(first), at(end));
+    let twice_area: f64 = edges.iter().map(|&[a, b]| from_first(a).cross(from_first(b))).sum();
+    let reach = edges.iter().map(|&[a, _]| from_first(a).length()).fold(0.0, f64::max);
+    twice_area <= closest * reach
 }
 
 /// The part of the hull to the right of everything, walking through `order` (Andrew's monotone

@@ -123,7 +123,15 @@ impl Domain {
         }
         let hull = region == Region::Hull || segments.is_empty();
         if hull {
-            segments.extend(hull::missing(hull_edges, &segments));
+            let closest = 2.0 * precision::floor(&points);
+            if hull::is_line(&hull_edges, &points, closest) {
+                return Err(Error::Collinear { points: points.len() });
+            }
+            let mut on_hull = vec![false; points.len()];
+            hull_edges.iter().for_each(|&[start, _]| on_hull[start as usize] = true);
+            let missing = hull::missing(hull_edges, &segments);
+            let chain = hull::through_near_points(&missing, &points, &on_hull, closest);
+            segments.extend(hull::missing(chain, &segments));
             input_segments.resize(segments.len(), u32::MAX);
             segment_tags.resize(segments.len(), 0);
         }

@@ -28,6 +28,11 @@ pub(super) fn ulp(points: &[[f64; 2]], is_meshed: &[bool]) -> f64 {
     libm::scalbn(f64::EPSILON, libm::ilogb(largest))
 }
 
+/// The floor φ where all points are meshed.
+pub(super) fn floor(points: &[[f64; 2]]) -> f64 {
+    FLOOR * ulp(points, &vec![true; points.len()])
+}
+
 impl Domain {
     /// The floor φ = 2^12·ulp(M), scaled: nothing shorter is made.
     #[must_use]

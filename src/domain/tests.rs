@@ -485,3 +485,24 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn the_hull_runs_through_points_at_rounding_distance() {
+    // A turned square with points along its sides: inside by some 1e-17, or outside, or on them.
+    let (sine, cosine) = (0.29552020666133955, 0.955336489125606);
+    let mut points = Vec::new();
+    for (x, y) in [(0, 0), (1, 0), (2, 0), (3, 0), (3, 1), (3, 2), (3, 3), (2, 3), (0, 3), (0, 1)] {
+        let (x, y) = (f64::from(x), f64::from(y));
+        points.push([cosine * x - sine * y, sine * x + cosine * y]);
+    }
+    let (domain, _) = Domain::new(&outline(&points, &[]), Region::Hull).expect("it is clean");
+    assert_eq!(domain.segments.len(), 10);
+    assert!((0..10).all(|point| domain.adjoining(point).len() == 2));
+}
+
+#[test]
+fn points_on_a_line_but_for_rounding_enclose_nothing() {
+    let points = [[0.1, 0.3], [0.2, 0.6], [0.3, 0.9], [0.7, 2.1]];
+    let error = Domain::new(&outline(&points, &[]), Region::Hull).expect_err("it is a line");
+    assert!(matches!(error, Error::Collinear { points: 4 }), "{error}");
+}
