@@ -12,7 +12,8 @@ use super::failure::{Exit, Failure};
 use super::format::Format;
 use super::input::{self, Content};
 use super::options::{PromiseOptions, Scale, one_of, zoom_box};
-use super::output::{Pending, STDOUT, check_places};
+use super::output::{Pending, STDOUT, Written, check_places};
+use super::trace::{self, Film};
 use super::voice::Voice;
 use super::wording::bytes;
 
@@ -23,7 +24,10 @@ const MOST_MARKS: usize = 40;
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// The outline or the mesh (`-`: stdin).
-    file: PathBuf,
+    #[arg(required_unless_present = "trace")]
+    file: Option<PathBuf>,
+    #[command(flatten)]
+    film: Film,
     /// Where the picture goes, an .svg file (`-`: stdout).
     #[arg(short, long, value_name = "OUT.svg")]
     output: PathBuf,
@@ -58,7 +62,13 @@ pub struct Arguments {
 /// Draws.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     refuse_other_formats(&arguments.output)?;
-    let mut drawn = input::any(&arguments.file, arguments.from, voice)?;
+    if let Some(trace) = arguments.film.trace() {
+        let options = arguments.options(Vec::new());
+        let written = trace::draw(&arguments.film, trace, &options, &arguments.output)?;
+        return Ok(say_written(&written, voice));
+    }
+    let file = arguments.file.as_deref().unwrap_or(Path::new(STDOUT));
+    let mut drawn = input::any(file, arguments.from, voice)?;
     let outline = match &arguments.input {
         Some(path) => Some(input::outline(path, None, voice)?),
         None => None,
@@ -84,20 +94,29 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         }
         (Content::Mesh(_), None) => Vec::new(),
     };
-    let options = Options {
-        width: f64::from(arguments.width),
-        zoom: arguments.zoom,
-        points: arguments.points,
-        legend: !arguments.no_legend,
-        marks,
-    };
+    let options = arguments.options(marks);
     let (pending, ()) = Pending::write(&arguments.output, |mut out| match &drawn.content {
         Content::Outline(pslg) => draw::outline(pslg, &options, &mut out),
         Content::Mesh(mesh) => draw::mesh(mesh, &options, &mut out),
     })?;
-    let written = pending.finish()?;
+    Ok(say_written(&pending.finish()?, voice))
+}
+
+impl Arguments {
+    fn options(&self, marks: Vec<Mark>) -> Options {
+        Options {
+            width: f64::from(self.width),
+            zoom: self.zoom,
+            points: self.points,
+            legend: !self.no_legend,
+            marks,
+        }
+    }
+}
+
+fn say_written(written: &Written, voice: &Voice) -> Exit {
     voice.say(&format!("wrote     {} ({})", written.place.display(), bytes(written.size)));
-    Ok(Exit::Done)
+    Exit::Done
 }
 
 fn refuse_other_formats(output: &Path) -> Result<(), Failure> {

@@ -88,7 +88,8 @@ fn missed(missed: &Missed) -> Value {
     json!({ "triangle": missed.triangle, "angle": missed.radians.to_degrees() })
 }
 
-fn parameters(parameters: &Parameters) -> Value {
+/// What was asked of a run.
+pub fn parameters(parameters: &Parameters) -> Value {
     let mut object = promise(&Promise::from(parameters));
     let more = json!({
         "soft_angle": parameters.soft_angle.map(MinAngle::degrees),

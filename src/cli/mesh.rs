@@ -10,15 +10,16 @@ use meshwright::domain;
 use meshwright::formats::groups::Note;
 use meshwright::formats::{Mesh, Pslg, gltf, msh, vtu};
 use meshwright::refine::End;
-use meshwright::{Error, Outcome, Parameters, Rule, Splitting, Steiner, Warning, mesh_with};
+use meshwright::{Error, Outcome, Rule, Warning, mesh_with};
 
 use super::failure::{Exit, Failure};
 use super::format::{Format, listed};
 use super::input;
 use super::json::{self, MeshReport};
-use super::options::{PromiseOptions, Scale, one_of, positive};
+use super::options::Scale;
 use super::output::{Pending, STDOUT, Written, check_places};
 use super::progress::ProgressLine;
+use super::refining::RefineOptions;
 use super::summary::Summary;
 use super::voice::{Voice, print};
 use super::wording::{count, grouped};
@@ -42,32 +43,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FORMAT")]
     to: Option<Format>,
     #[command(flatten)]
-    promise: PromiseOptions,
-    /// No triangle may be larger than this area.
-    #[arg(long, value_name = "A", value_parser = positive, allow_negative_numbers = true)]
-    max_area: Option<f64>,
-    /// Stop at this many points.
-    #[arg(long, value_name = "N", default_value = "10000000",
-          value_parser = clap::value_parser!(u32).range(3..))]
-    max_points: u32,
-    /// Where segments are split: at dyadic distances all the way out, or on shells as in the
-    /// paper.
-    #[arg(long, default_value = "ladder", value_parser = one_of([
-        ("ladder", Splitting::Ladder), ("shells", Splitting::Shells),
-        ("augment", Splitting::Augment),
-    ]))]
-    splitting: Splitting,
-    /// Where the point goes that removes a bad triangle.
-    #[arg(long, default_value = "off-center", value_parser = one_of([
-        ("off-center", Steiner::OffCenter), ("circumcenter", Steiner::Circumcenter),
-    ]))]
-    steiner: Steiner,
-    /// Which small angles are attacked: all but the excused ones, or all.
-    #[arg(long, default_value = "adaptive", value_parser = one_of([
-        ("adaptive", Rule::Adaptive), ("ruppert", Rule::Ruppert),
-        ("terminator", Rule::Terminator),
-    ]))]
-    rule: Rule,
+    refine: RefineOptions,
     #[command(flatten)]
     scale: Scale,
     /// Renumber groups so that no number serves a boundary and a region (.msh).
@@ -84,7 +60,7 @@ pub struct Arguments {
 /// Meshes.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let formats = arguments.formats()?;
-    let parameters = arguments.parameters()?;
+    let parameters = arguments.refine.parameters()?;
     let (mut pslg, input) = input::outline(&arguments.input, arguments.from, voice)?;
     check_places(&arguments.output, &input.files)?;
     arguments.scale.apply(&mut pslg);
@@ -121,21 +97,6 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
 }
 
 impl Arguments {
-    fn parameters(&self) -> Result<Parameters, Failure> {
-        let (promise, soft_angle) = self.promise.promise()?;
-        Ok(Parameters {
-            min_angle: promise.min_angle,
-            soft_angle,
-            max_area: self.max_area,
-            max_points: self.max_points as usize,
-            splitting: self.splitting,
-            excuse: promise.excuse,
-            steiner: self.steiner,
-            rule: self.rule,
-            region: promise.region,
-        })
-    }
-
     /// The format of each output, known before anything is read.
     fn formats(&self) -> Result<Vec<Format>, Failure> {
         if self.json && self.output.iter().any(|output| output == Path::new(STDOUT)) {
@@ -277,7 +238,8 @@ fn is_about_precision(warning: &Warning) -> bool {
     matches!(warning, Warning::Domain(domain::Warning::LimitedByPrecision { .. }))
 }
 
-fn failure(error: Error) -> Failure {
+/// Why there is no mesh.
+pub fn failure(error: Error) -> Failure {
     match error {
         Error::Cancelled => Failure { exit: Exit::Interrupted, message: error.to_string() },
         error => Failure::input(error),
@@ -292,12 +254,12 @@ fn verdict(
     voice: &Voice,
 ) -> Result<Exit, Failure> {
     if outcome.end == End::PointBudget {
-        let budget = count(arguments.max_points as usize, "point");
+        let budget = count(arguments.refine.max_points as usize, "point");
         return Err(Failure::promise(format!(
             "the run stopped at {budget} (--max-points): the mesh is complete, its angles are not"
         )));
     }
-    if arguments.rule == Rule::Ruppert && outcome.refused > 0 {
+    if arguments.refine.rule == Rule::Ruppert && outcome.refused > 0 {
         return Err(Failure::promise(format!(
             "Ruppert's rule does not end {}: it stopped where doubles end",
             near_points(&outcome.refused_at, pslg)

@@ -11,8 +11,10 @@ mod mesh;
 mod options;
 mod output;
 mod progress;
+mod refining;
 mod shell;
 mod summary;
+mod trace;
 mod voice;
 mod wording;
 
@@ -53,8 +55,10 @@ enum Command {
     Check(check::Arguments),
     /// Tell what a file holds and whether an outline is ready to mesh.
     Info(info::Arguments),
-    /// Draw an outline or a mesh as SVG.
+    /// Draw an outline, a mesh or the steps of a trace as SVG.
     Draw(draw::Arguments),
+    /// Tell every step of a refinement, with its reason, as JSON Lines.
+    Trace(trace::Arguments),
     /// Print a completion script for a shell.
     Completions(shell::Completions),
     /// Print the manual page (roff).
@@ -87,6 +91,7 @@ fn run_command(command: &Command, voice: &Voice) -> Result<Exit, Failure> {
         Command::Check(arguments) => check::run(arguments, voice),
         Command::Info(arguments) => info::run(arguments, voice),
         Command::Draw(arguments) => draw::run(arguments, voice),
+        Command::Trace(arguments) => trace::run(arguments, voice),
         Command::Completions(arguments) => shell::completions(arguments),
         Command::Man => shell::man(),
     }

@@ -48,6 +48,15 @@ impl Legend {
         self.first += 1;
     }
 
+    /// Adds the entries of another legend that are not there yet.
+    pub fn add_new(&mut self, other: Self) {
+        for entry in other.entries {
+            if !self.entries.contains(&entry) {
+                self.entries.push(entry);
+            }
+        }
+    }
+
     /// The legend of a page of this width, beginning at this height: its SVG and its own height.
     pub fn lay_out(&self, width: f64, top: f64) -> (String, f64) {
         if self.entries.is_empty() {

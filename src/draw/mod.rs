@@ -20,6 +20,7 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 
+mod film;
 mod frame;
 mod layers;
 mod legend;
@@ -32,6 +33,7 @@ use std::io::{self, Write};
 
 use meshwright_formats::{Mesh, Pslg};
 
+pub use film::{Highlight, Step, film};
 use frame::Frame;
 use legend::Legend;
 

@@ -12,6 +12,11 @@ pub const HOLE: &str = "#8a97a3";
 pub const EXCUSED: &str = "#f0a63a";
 pub const LIMITED: &str = "#b07cc6";
 pub const FAULT: &str = "#d3273e";
+/// The triangles of a point that was just committed.
+pub const MADE: &str = "#bfe3c0";
+/// That point.
+pub const NEW: &str = "#1f8a3b";
+pub const ENCROACHED: &str = "#e07b00";
 
 const BOUNDARIES: [&str; 8] =
     ["#14507e", "#c2502e", "#1d7f6e", "#8a5fa8", "#b8860b", "#5d8a2c", "#b03a6f", "#7b5138"];

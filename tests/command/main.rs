@@ -7,3 +7,4 @@ mod json;
 mod messages;
 mod schema;
 mod signals;
+mod tracing;
