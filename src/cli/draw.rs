@@ -62,7 +62,7 @@ pub struct Arguments {
 /// Draws.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     refuse_other_formats(&arguments.output)?;
-    if let Some(trace) = arguments.film.trace() {
+    if let Some(trace) = arguments.film.trace()? {
         let options = arguments.options(Vec::new());
         let written = trace::draw(&arguments.film, trace, &options, &arguments.output)?;
         return Ok(say_written(&written, voice));

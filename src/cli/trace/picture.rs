@@ -19,10 +19,10 @@ pub struct Film {
     #[arg(long, value_name = "FILE", conflicts_with_all = ["file", "from", "input", "scale"])]
     trace: Option<PathBuf>,
     /// The step that is drawn; 0 is what the run began with [default: the last one].
-    #[arg(long, value_name = "N", requires = "trace", conflicts_with = "film")]
+    #[arg(long, value_name = "N", conflicts_with = "film")]
     step: Option<usize>,
     /// Draw a film strip of this many steps, evenly from the first to the last.
-    #[arg(long, value_name = "N", requires = "trace",
+    #[arg(long, value_name = "N",
           value_parser = clap::value_parser!(u16).range(1..=400))]
     film: Option<u16>,
     /// How many pictures of a film strip stand side by side.
@@ -33,8 +33,11 @@ pub struct Film {
 
 impl Film {
     /// The trace that is drawn, if one is.
-    pub fn trace(&self) -> Option<&Path> {
-        self.trace.as_deref()
+    pub fn trace(&self) -> Result<Option<&Path>, Failure> {
+        if self.trace.is_none() && (self.step.is_some() || self.film.is_some()) {
+            return Err(Failure::usage("--step and --film draw a trace; --trace FILE names it"));
+        }
+        Ok(self.trace.as_deref())
     }
 
     /// The steps that are drawn, of so many after the first.
