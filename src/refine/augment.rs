@@ -1,27 +1,30 @@
 //! Algorithm 1 (§9): a 5-Bounded Reduction Augmenter. Only to reproduce the paper: it makes some
 //! ten times as many points as the outline has.
 
-use super::Refinement;
+use std::ops::ControlFlow;
+
 use super::piece::power_of_two_below;
 use super::provenance::{End, Kind, Origin, SegmentPoint};
 use super::trace::Cause;
+use super::{Flow, Refinement};
 use crate::constructions::segment_length;
 
 impl Refinement<'_> {
     /// (1) For each point that is an end of at least two segments: (2) on each of them a point at
     /// a distance in [0.2, 0.4] of its length that is a power of two, so that the new segments at
     /// the point have the same length modulo a power of two (Assumption 3).
-    pub(super) fn augment(&mut self) {
+    pub(super) fn augment(&mut self) -> Flow {
         for segment in 0..self.segments.ends.len() as u32 {
             let ends = self.segments.ends[segment as usize];
             let [a, b] = ends.map(|v| self.mesh.points[v as usize]);
             let (length, _) = segment_length(a, b);
-            let mut far = ends[1];
+            let mut other_end = [ends[1], ends[0]];
             for apex in [0, 1] {
                 if self.segments.at(ends[apex]).len() < 2 {
                     continue;
                 }
-                let piece = [ends[apex], far];
+                self.leave_room()?;
+                let piece = [ends[apex], other_end[apex]];
                 let point = SegmentPoint {
                     segment,
                     distance: power_of_two_below(0.4 * length),
@@ -32,11 +35,10 @@ impl Refinement<'_> {
                 let edge = self.mesh.subsegment(piece[0], piece[1]);
                 if edge.is_some_and(|edge| self.commit_split(edge, point).is_ok()) {
                     self.tell_split(piece, Cause::Augmented);
-                    far = self.mesh.points.len() as u32 - 1;
-                } else {
-                    far = ends[0];
+                    other_end[1 - apex] = self.mesh.points.len() as u32 - 1;
                 }
             }
         }
+        ControlFlow::Continue(())
     }
 }

@@ -195,7 +195,7 @@ impl<'a> Refinement<'a> {
         let mut watch = Watch { tell, next: 0 };
         self.tell_start();
         if self.parameters.splitting == Splitting::Augment {
-            self.augment();
+            self.augment()?;
         }
         self.find_encroached_subsegments();
         self.restore_conformality(&mut watch)?;
@@ -289,9 +289,7 @@ impl<'a> Refinement<'a> {
 
     /// (Quality′): commits the Steiner point of a bad triangle, or splits what it would encroach.
     fn improve(&mut self, entry: Entry, watch: &mut Watch) -> Flow {
-        let still_there =
-            |mesh: &Triangulation| mesh.triangles[entry.slot as usize].vertices[0] == entry.newest;
-        if !still_there(&self.mesh) {
+        if !self.is_still_there(entry) {
             return ControlFlow::Continue(());
         }
         let Some(trigger) = self.trigger(entry.slot) else {
@@ -306,18 +304,30 @@ impl<'a> Refinement<'a> {
             self.refuse(entry, proposer, rejected.into());
             return ControlFlow::Continue(());
         }
-        let mut encroached: Vec<[u32; 2]> =
+        let encroached: Vec<[u32; 2]> =
             self.cavity.encroached(&self.mesh).map(|side| side.ends).collect();
-        if encroached.is_empty() {
-            match self.commit_steiner_point() {
-                Ok(()) => self.tell_commit(proposer),
-                Err(refusal) => self.refuse(entry, proposer, refusal),
-            }
-            return ControlFlow::Continue(());
+        if !encroached.is_empty() {
+            self.tell_rejected(proposer, &encroached);
+            return self.split_instead(entry, proposer, encroached, watch);
         }
-        self.tell_rejected(proposer, &encroached);
+        match self.commit_steiner_point() {
+            Ok(()) => self.tell_commit(proposer),
+            Err(refusal) => self.refuse(entry, proposer, refusal),
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Splits all that a rejected Steiner point would encroach, restores conformality, and queues
+    /// the bad triangle again if it is still there.
+    fn split_instead(
+        &mut self,
+        entry: Entry,
+        proposer: Proposer,
+        mut encroached: Vec<[u32; 2]>,
+        watch: &mut Watch,
+    ) -> Flow {
         if self.parameters.rule == Rule::Terminator {
-            let shortest = trigger.squared.sqrt();
+            let shortest = proposer.trigger.squared.sqrt();
             encroached.retain(|&ends| self.terminator_splits(ends, shortest));
             if encroached.is_empty() {
                 return ControlFlow::Continue(());
@@ -325,15 +335,21 @@ impl<'a> Refinement<'a> {
         }
         let mut split = false;
         for ends in encroached {
-            split |= self.split(ends, Cause::Rejected(vertices));
+            self.leave_room()?;
+            split |= self.split(ends, Cause::Rejected(proposer.vertices));
         }
         self.restore_conformality(watch)?;
         if !split {
             self.refuse(entry, proposer, Refusal::AllSplitsRefused);
-        } else if still_there(&self.mesh) {
+        } else if self.is_still_there(entry) {
             self.queue_if_bad(entry.slot);
         }
         ControlFlow::Continue(())
+    }
+
+    /// Whether the triangle that was queued is still in its slot.
+    fn is_still_there(&self, entry: Entry) -> bool {
+        self.mesh.triangles[entry.slot as usize].vertices[0] == entry.newest
     }
 
     /// The distance of a vertex on a segment from the segment's first end, rounded.

@@ -43,7 +43,8 @@ fn every_initial_triangulation_is_constrained_delaunay() {
 
 #[test]
 fn algorithm_1_puts_a_power_of_two_on_every_leg_of_a_spoke() {
-    let outline = figures::spokes20(900);
+    let mut outline = figures::spokes20(900);
+    outline.segments.iter_mut().step_by(2).for_each(|ends| ends.reverse());
     let made = judge(&outline, &paper(Splitting::Augment)).well();
     let degree = |p: usize| outline.segments.iter().filter(|s| s.contains(&(p as u32))).count();
     let hub = (0..outline.points.len()).max_by_key(|&p| degree(p)).expect("there are points");
