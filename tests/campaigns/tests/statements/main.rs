@@ -5,8 +5,14 @@
 //! - [`subsegments`]: what holds for pieces of segments that are split at their midpoints.
 //! - [`sequences`]: circumcenter sequences (Definition 2).
 //! - [`meshes`]: what holds for whole meshes.
+//! - [`grooming`]: what points put on segments beforehand do (§9).
+//! - [`figures`]: what the paper's pictures show.
+//! - [`corrections`]: where the text says something else than its proofs.
 
+mod corrections;
+mod figures;
 mod geometry;
+mod grooming;
 mod meshes;
 mod sequences;
 mod subsegments;

@@ -1,4 +1,4 @@
-//! Claims 5.3, 8.1 and 10.1, Lemma 7, Theorem 4 and Corollary 3: whole meshes, judged here from
+//! Claims 5.3, 8.1 and 10.1, Lemma 7, Theorem 4, Corollaries 2 and 3: whole meshes, judged here from
 //! their points and triangles alone.
 
 use std::collections::HashMap;
@@ -20,7 +20,7 @@ use crate::{f, kappa_hat};
 const SLACK: f64 = 1e-7;
 
 /// The paper's own rules.
-fn paper() -> Parameters {
+pub fn paper() -> Parameters {
     Parameters {
         splitting: Splitting::Shells,
         excuse: Excuse::Midpoints,
@@ -278,6 +278,24 @@ fn theorem_4() {
         for &[v, w] in &mesh.edges {
             // The radius of a midpoint is the length of the two subsegments that it made.
             let size = distance(mesh.points[v as usize], mesh.points[w as usize]);
+            assert!(size >= least * (1.0 - 1e-9), "seed {seed}: {size} < {least}");
+        }
+    }
+}
+
+/// Corollary 2: where Assumption 3 holds, no two points are nearer to each other than
+/// lfs_min · 2 sin(θ*/2) / μ.
+#[test]
+fn corollary_2() {
+    let mu = 1.0 + SQRT_2 / (1.0 - 2.0 * libm::sin(MinAngle::default().radians()));
+    for seed in 0..24 {
+        let outline = dyadic_spokes(&mut Random::new(seed));
+        let theta_star = smallest_angle(&outline).unwrap_or(FRAC_PI_3).min(FRAC_PI_3);
+        let least = smallest_feature_size(&outline) * 2.0 * libm::sin(0.5 * theta_star) / mu;
+        let mesh = judge(&outline, &paper()).well().mesh;
+        // The closest pair of points is an edge of a Delaunay triangulation.
+        for [p, q, _] in corners_of(&mesh) {
+            let size = distance(mesh.points[p as usize], mesh.points[q as usize]);
             assert!(size >= least * (1.0 - 1e-9), "seed {seed}: {size} < {least}");
         }
     }
