@@ -6,13 +6,19 @@
 //! ```
 //!
 //! One line each; `#` starts a comment (<https://www.cs.cmu.edu/~quake/triangle.ele.html>). Triangles
-//! of six nodes are refused.
+//! of six nodes are refused. The points stand in the `.node` or `.poly` file of the same name, the
+//! edges in the `.poly` file.
 
+use std::io::{self, Write};
+
+use crate::attributes;
 use crate::error::{Notice, SyntaxError, Warning};
+use crate::groups::{Note, numbers_only};
 use crate::mesh::{Data, Mesh, Values};
-use crate::node::{Lines, MOST, optional, reserved, trailing_text};
-use crate::poly::{point, whole};
+use crate::node::{self, Lines, MOST, optional, reserved, trailing_text};
+use crate::poly::{self, beside, point, whole};
 use crate::pslg::{Group, Pslg};
+use crate::rows::{Rows, one_based};
 use crate::text::Scanner;
 
 /// Reads the text of a `.ele` file, whose corners are the points of `outline`.
@@ -39,6 +45,121 @@ pub fn read(text: &[u8], file: &str, outline: &Pslg) -> Result<(Mesh, Vec<Warnin
     triangles(&mut scanner, outline, &mut mesh, &mut warnings)?;
     trailing_text(&mut scanner, &mut warnings);
     Ok((mesh, warnings))
+}
+
+/// Reads the text of a `.ele` file and the files beside it, which `companion` is asked for by name.
+///
+/// Of `dir/lake.1.ele` the points stand in `dir/lake.1.node`, or else in `dir/lake.1.poly`, whose
+/// segments become the edges. A `.poly` file with points of its own that are not those of the
+/// `.node` file is another outline: it is passed over, with a warning.
+///
+/// # Errors
+/// The first word that cannot be read, in any of the files; companions that cannot be had.
+pub fn read_with_companions(
+    text: &[u8],
+    file: &str,
+    mut companion: impl FnMut(&str) -> io::Result<Vec<u8>>,
+) -> Result<(Mesh, Vec<Warning>), SyntaxError> {
+    let [node, poly] = [".node", ".poly"].map(|end| beside(file, ".ele", end));
+    let mut ask = |name: &str| match companion(name) {
+        Ok(text) => Ok(Some(text)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(no_points(text, file, &node, format!("{name}: {error}"))),
+    };
+    let (node_text, poly_text) = (ask(&node)?, ask(&poly)?);
+    let (outline, mut warnings) = match (node_text, poly_text) {
+        (None, None) => {
+            let help = format!("there is no {node} and no {poly}");
+            return Err(no_points(text, file, &node, help));
+        }
+        (None, Some(text)) => poly::read(&text, &poly, |_| Err(io::ErrorKind::NotFound.into()))?,
+        (Some(text), None) => node::read(&text, &node)?,
+        (Some(node_text), Some(poly_text)) => {
+            let points = node::read(&node_text, &node)?;
+            let segments = poly::read(&poly_text, &poly, |_| Ok(node_text))?;
+            joined(points, segments)
+        }
+    };
+    let (mesh, more) = read(text, file, &outline)?;
+    warnings.extend(more);
+    Ok((mesh, warnings))
+}
+
+/// The error that the points of a `.ele` file cannot be had.
+fn no_points(text: &[u8], file: &str, node: &str, help: String) -> SyntaxError {
+    let mut scanner = Scanner::new(text, file, Some(b'#'));
+    scanner.next_line();
+    let expected = format!("points beside, in `{node}`");
+    let mut error = scanner.unexpected(scanner.first_word_of_line(), expected);
+    error.help = Some(help.into());
+    error
+}
+
+/// What is read, and what was passed over.
+type Read = (Pslg, Vec<Warning>);
+
+/// The points of a `.node` file with the segments of a `.poly` file that has no others.
+fn joined((mut points, mut warnings): Read, (segments, more): Read) -> Read {
+    if segments.source.point_file.is_some() {
+        return (segments, more);
+    }
+    if segments.points != points.points {
+        let line = segments.source.point_lines.first().copied().unwrap_or(1);
+        let notice = Notice::OtherPoints { node: points.source.file.clone() };
+        warnings.push(Warning { file: segments.source.file, line, notice });
+        return (points, warnings);
+    }
+    points.segments = segments.segments;
+    points.segment_tags = segments.segment_tags;
+    warnings.extend(more);
+    (points, warnings)
+}
+
+/// Writes the triangles of a mesh with their region tags and their data as attributes.
+///
+/// The first attribute is the region tag, as in Triangle's files (`-A`), zero and negative ones
+/// included; there is none where all are untagged and nothing follows. The others are the arrays
+/// of [`Mesh::triangle_data`] with one real number for each triangle. Names are not written, which
+/// notes say.
+///
+/// # Errors
+/// Those of `out`.
+///
+/// ```
+/// use meshwright_formats::{Mesh, ele};
+/// let mesh = Mesh {
+///     points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 0.5]],
+///     triangles: vec![[0, 1, 2]],
+///     triangle_tags: vec![-7],
+///     ..Mesh::default()
+/// };
+/// let mut text = Vec::new();
+/// ele::write(&mesh, &mut text)?;
+/// assert_eq!(text, b"1 3 1\n1 1 2 3 -7\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
+    let mut notes: Vec<Note> = numbers_only(&mesh.groups, 2).into_iter().collect();
+    let attributes = attributes::columns(&mesh.triangle_data, 1, &mut notes);
+    let tagged = !attributes.is_empty() || mesh.triangle_tags.iter().any(|&tag| tag != 0);
+    let mut rows = Rows::new(out);
+    let columns = i64::from(tagged) + attributes.len() as i64;
+    rows.integers(&[mesh.triangles.len() as i64, 3, columns])?;
+    for (index, corners) in mesh.triangles.iter().enumerate() {
+        rows.integer(index as i64 + 1);
+        for &corner in corners {
+            rows.integer(one_based(corner));
+        }
+        if tagged {
+            rows.integer(mesh.triangle_tag(index));
+        }
+        for attribute in &attributes {
+            rows.real(attribute.get(index).copied().unwrap_or(0.0));
+        }
+        rows.end()?;
+    }
+    rows.finish()?;
+    Ok(notes)
 }
 
 /// The mesh that has the outline's points and edges, and no triangle yet.
@@ -105,7 +226,7 @@ fn attach(mesh: &mut Mesh, values: Vec<Vec<f64>>) {
     let skipped = usize::from(tags.is_some());
     mesh.triangle_tags = tags.unwrap_or_else(|| vec![0; mesh.triangles.len()]);
     for (index, values) in values.into_iter().enumerate().skip(skipped) {
-        let (name, values) = (format!("attribute_{}", index + 1), Values::Real(values));
+        let (name, values) = (attributes::name(index + 1), Values::Real(values));
         mesh.triangle_data.push(Data { name, components: 1, values });
     }
 }
@@ -142,6 +263,72 @@ mod tests {
         assert_eq!(mesh.triangle_tags, [0]);
         let names: Vec<_> = mesh.triangle_data.iter().map(|data| data.name.as_str()).collect();
         assert_eq!(names, ["attribute_1", "attribute_2"]);
+    }
+
+    /// Reads one triangle beside files of these texts, as points, edges and warnings.
+    fn beside(node: Option<&str>, poly: Option<&str>) -> Result<(usize, usize, String), String> {
+        let companion = |name: &str| {
+            let text = if name == "dir/a.1.node" { node } else { poly };
+            assert!(["dir/a.1.node", "dir/a.1.poly"].contains(&name), "{name}");
+            text.map(Into::into).ok_or(io::ErrorKind::NotFound.into())
+        };
+        let read = read_with_companions(b"1 3\n1 1 2 3\n", "dir/a.1.ele.gz", companion);
+        let (mesh, warnings) = read.map_err(|error| error.to_string())?;
+        assert_eq!(mesh.triangles, [[0, 1, 2]]);
+        let warnings: Vec<_> = warnings.iter().map(Warning::to_string).collect();
+        Ok((mesh.points.len(), mesh.edges.len(), warnings.join("\n")))
+    }
+
+    const NODE: &str = "3 2\n1 0 0\n2 1 0\n3 0 1\n";
+
+    #[test]
+    fn points_stand_beside_in_either_file_or_both() {
+        let segments = "1\n1 1 2\n0\n";
+        let whole = NODE.to_owned() + segments;
+        let without_points = "0 2\n".to_owned() + segments;
+        let fine = |points, edges| Ok((points, edges, String::new()));
+        assert_eq!(beside(Some(NODE), None), fine(3, 0));
+        assert_eq!(beside(None, Some(&whole)), fine(3, 1));
+        assert_eq!(beside(Some(NODE), Some(&without_points)), fine(3, 1));
+        assert_eq!(beside(Some(NODE), Some(&whole)), fine(3, 1));
+    }
+
+    #[test]
+    fn the_outline_of_the_same_name_is_not_taken_for_the_edges() {
+        let outline = "2 2\n1 0 0\n2 9 0\n1\n1 1 2\n0\n";
+        let warning = "dir/a.1.poly:2: these are not the points of `dir/a.1.node`: the file is \
+                       passed over, and the mesh has no edges";
+        assert_eq!(beside(Some(NODE), Some(outline)), Ok((3, 0, warning.to_owned())));
+    }
+
+    #[test]
+    fn triangles_without_points_are_an_error() {
+        let error = beside(None, None).unwrap_err();
+        let first = "dir/a.1.ele.gz:1:1: expected points beside, in `dir/a.1.node`, found `1`";
+        assert!(error.starts_with(first), "{error}");
+        assert!(error.ends_with("help: there is no dir/a.1.node and no dir/a.1.poly"), "{error}");
+        let error = beside(None, Some("0 2\n0\n0\n")).unwrap_err();
+        assert!(error.starts_with("dir/a.1.poly:1:1: expected points"), "{error}");
+    }
+
+    #[test]
+    fn data_come_after_the_tag_even_where_there_is_none() {
+        let data = |name: &str, values| Data { name: name.into(), components: 1, values };
+        let mesh = Mesh {
+            triangles: vec![[0, 1, 2]],
+            triangle_tags: vec![0],
+            triangle_data: vec![
+                data("load", Values::Real(vec![3.0])),
+                data("rank", Values::Integer(vec![4])),
+            ],
+            ..Mesh::default()
+        };
+        let mut text = Vec::new();
+        let notes = write(&mesh, &mut text).expect("memory takes all");
+        assert_eq!(text, b"1 3 2\n1 1 2 3 0 3\n");
+        let notes: Vec<_> = notes.iter().map(Note::to_string).collect();
+        let dropped = "the data `rank` are not written: an attribute is one real number";
+        assert_eq!(notes, ["the data `load` are attribute 2", dropped]);
     }
 
     #[test]

@@ -143,6 +143,15 @@ pub enum Notice {
         /// How many lines that hold more than a comment.
         lines: u32,
     },
+    /// A `.poly` file beside a `.ele` file that belongs to another mesh, or is its outline.
+    #[error(
+        "these are not the points of `{node}`: the file is passed over, and the mesh has no \
+             edges"
+    )]
+    OtherPoints {
+        /// The file that holds the mesh's points.
+        node: String,
+    },
     /// A regional attribute that is no whole number cannot be a tag.
     #[error(
         "the regional attribute {attribute} of region {region} is no whole number: \

@@ -109,13 +109,34 @@ pub enum Note {
         /// The name.
         name: String,
     },
+    /// Names of groups, of which the file holds the numbers alone.
+    NumbersOnly {
+        /// 1 for edges, 2 for triangles.
+        dim: u8,
+        /// The names and their tags.
+        names: Vec<(String, Tag)>,
+    },
+    /// Data that stand in a column without a name.
+    Column {
+        /// The name of the data.
+        name: String,
+        /// Which attribute it is, counted from one.
+        attribute: usize,
+    },
+    /// Data that a column of real numbers cannot hold.
+    DataDropped {
+        /// The name of the data.
+        name: String,
+    },
+    /// Target sizes of points, which the file does not hold.
+    SizesDropped,
 }
 
 impl Note {
     /// Whether something may be lost or misread; else the note only tells.
     #[must_use]
     pub fn is_warning(&self) -> bool {
-        !matches!(self, Self::Untagged { .. } | Self::Renumbered { .. })
+        !matches!(self, Self::Untagged { .. } | Self::Renumbered { .. } | Self::Column { .. })
     }
 }
 
@@ -149,13 +170,25 @@ impl Display for Note {
             Self::PointGroup { name } => {
                 write!(f, "the point group `{name}` is not written")
             }
+            Self::NumbersOnly { dim, names } => {
+                let names: Vec<_> = names.iter().map(|(n, tag)| format!("`{n}` ({tag})")).collect();
+                let plural = if *dim == 1 { "boundaries" } else { "regions" };
+                write!(f, "{plural} have numbers here, no names: {}", listed(&names))
+            }
+            Self::Column { name, attribute } => {
+                write!(f, "the data `{name}` are attribute {attribute}")
+            }
+            Self::DataDropped { name } => {
+                write!(f, "the data `{name}` are not written: an attribute is one real number")
+            }
+            Self::SizesDropped => write!(f, "the target sizes of points are not written"),
         }
     }
 }
 
-fn listed(numbers: &[Tag]) -> String {
-    let shown: Vec<String> = numbers.iter().take(5).map(Tag::to_string).collect();
-    let more = if numbers.len() > 5 { ", …" } else { "" };
+fn listed(items: &[impl ToString]) -> String {
+    let shown: Vec<String> = items.iter().take(5).map(ToString::to_string).collect();
+    let more = if items.len() > 5 { ", …" } else { "" };
     shown.join(", ") + more
 }
 
@@ -306,6 +339,13 @@ impl Table {
             Err(_) => panic!("every tag of a triangle has a group"),
         }
     }
+}
+
+/// What a file that holds numbers alone does to the names of edges (1) or triangles (2).
+pub(crate) fn numbers_only(groups: &[Group], dim: u8) -> Option<Note> {
+    let groups = groups.iter().filter(|group| group.dim == dim);
+    let names: Vec<_> = groups.map(|group| (group.name.clone(), group.tag)).collect();
+    (!names.is_empty()).then_some(Note::NumbersOnly { dim, names })
 }
 
 /// The user's names as the file can hold them, by dimension and tag.

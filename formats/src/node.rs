@@ -7,10 +7,17 @@
 //! ```
 //!
 //! One line each; `#` starts a comment; blank lines are skipped. The points are numbered one after
-//! the other from 0 or 1 (<https://www.cs.cmu.edu/~quake/triangle.node.html>).
+//! the other from 0 or 1 (<https://www.cs.cmu.edu/~quake/triangle.node.html>); from 1 in the files
+//! that are written here.
 
+use std::io::{self, Write};
+
+use crate::attributes;
 use crate::error::{Notice, SyntaxError, Warning};
-use crate::pslg::{Attribute, Pslg, Source, Tag};
+use crate::groups::Note;
+use crate::mesh::Mesh;
+use crate::pslg::{Attribute, Group, Pslg, Source, Tag};
+use crate::rows::Rows;
 use crate::text::{Scanner, parse_integer};
 
 /// Reads the text of a `.node` file: an outline without segments.
@@ -37,6 +44,87 @@ pub fn read(text: &[u8], file: &str) -> Result<(Pslg, Vec<Warning>), SyntaxError
     pslg.source.file = file.to_owned();
     trailing_text(&mut scanner, &mut warnings);
     Ok((pslg, warnings))
+}
+
+/// Writes the points of a mesh with their markers, and their data as attributes.
+///
+/// Coordinates read back bit for bit. Attributes are the arrays of [`Mesh::point_data`] with one
+/// real number for each point; they have no names in the file, which notes say. How a point came
+/// to be is not written.
+///
+/// # Errors
+/// Those of `out`.
+///
+/// ```
+/// use meshwright_formats::{Mesh, node};
+/// let points = vec![[0.0, 0.0], [0.1, 0.0]];
+/// let mesh = Mesh { points, point_markers: vec![7, -8], ..Mesh::default() };
+/// let mut text = Vec::new();
+/// node::write(&mesh, &mut text)?;
+/// assert_eq!(text, b"2 2 0 1\n1 0 0 7\n2 0.1 0 -8\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
+    let mut notes = Vec::new();
+    let mut rows = Rows::new(out);
+    Columns::of_mesh(mesh, &mut notes).write(&mut rows)?;
+    rows.finish()?;
+    Ok(notes)
+}
+
+/// What a list of points holds.
+pub(crate) struct Columns<'a> {
+    points: &'a [[f64; 2]],
+    attributes: Vec<&'a [f64]>,
+    /// One per point, or empty.
+    markers: &'a [Tag],
+}
+
+impl<'a> Columns<'a> {
+    pub fn of_mesh(mesh: &'a Mesh, notes: &mut Vec<Note>) -> Self {
+        point_groups(&mesh.groups, notes);
+        let attributes = attributes::columns(&mesh.point_data, 0, notes);
+        Self { points: &mesh.points, attributes, markers: &mesh.point_markers }
+    }
+
+    pub fn of_outline(pslg: &'a Pslg, notes: &mut Vec<Note>) -> Self {
+        point_groups(&pslg.groups, notes);
+        for (index, Attribute { name, .. }) in (1..).zip(&pslg.point_attributes) {
+            if *name != attributes::name(index) {
+                notes.push(Note::Column { name: name.clone(), attribute: index });
+            }
+        }
+        let attributes = pslg.point_attributes.iter().map(|a| a.values.as_slice()).collect();
+        Self { points: &pslg.points, attributes, markers: &pslg.point_markers }
+    }
+
+    pub fn write(&self, rows: &mut Rows<impl Write>) -> io::Result<()> {
+        self.header(self.points.len(), rows)?;
+        for (index, &[x, y]) in self.points.iter().enumerate() {
+            rows.integer(index as i64 + 1);
+            rows.real(x);
+            rows.real(y);
+            for attribute in &self.attributes {
+                rows.real(attribute.get(index).copied().unwrap_or(0.0));
+            }
+            if !self.markers.is_empty() {
+                rows.integer(self.markers.get(index).copied().unwrap_or(0));
+            }
+            rows.end()?;
+        }
+        Ok(())
+    }
+
+    /// The header alone, with another number of points.
+    pub fn header(&self, count: usize, rows: &mut Rows<impl Write>) -> io::Result<()> {
+        let markers = i64::from(!self.markers.is_empty());
+        rows.integers(&[count as i64, 2, self.attributes.len() as i64, markers])
+    }
+}
+
+fn point_groups(groups: &[Group], notes: &mut Vec<Note>) {
+    let groups = groups.iter().filter(|group| group.dim == 0);
+    notes.extend(groups.map(|group| Note::PointGroup { name: group.name.clone() }));
 }
 
 /// The header of a list of points.
@@ -86,7 +174,7 @@ pub(crate) fn points(
     pslg.points.reserve(room);
     pslg.source.point_lines.reserve(room);
     pslg.point_attributes = (1..=header.attributes)
-        .map(|i| Attribute { name: format!("attribute_{i}"), values: Vec::new() })
+        .map(|i| Attribute { name: attributes::name(i), values: Vec::new() })
         .collect();
     let (mut extra, mut unmarked) = (Lines::default(), Lines::default());
     for index in 0..header.count {

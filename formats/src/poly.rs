@@ -15,6 +15,8 @@
 //! and regions are free (<https://www.cs.cmu.edu/~quake/triangle.poly.html>). TetGen's `.poly`
 //! files, which have three coordinates, are refused.
 
+mod write;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 
@@ -23,6 +25,8 @@ use crate::groups::FreshTags;
 use crate::node::{self, Lines, MOST, marker, optional, reserved, trailing_text};
 use crate::pslg::{Pslg, Region, Tag};
 use crate::text::Scanner;
+
+pub use write::{Options, write, write_outline, write_with};
 
 /// Reads the text of a `.poly` file.
 ///
@@ -69,7 +73,7 @@ fn points(
     if header.count > 0 {
         node::points(scanner, &header, &mut pslg, warnings)?;
     } else {
-        let name = companion_name(scanner.file());
+        let name = beside(scanner.file(), ".poly", ".node");
         let text = companion(&name).map_err(|error| {
             let found = scanner.first_word_of_line();
             let mut syntax = scanner.unexpected(found, format!("points, here or in `{name}`"));
@@ -85,9 +89,10 @@ fn points(
     Ok(pslg)
 }
 
-fn companion_name(file: &str) -> String {
+/// The file beside a file that ends in `end`: the same name with another end.
+pub(crate) fn beside(file: &str, end: &str, other: &str) -> String {
     let file = file.strip_suffix(".gz").unwrap_or(file);
-    format!("{}.node", file.strip_suffix(".poly").unwrap_or(file))
+    format!("{}{other}", file.strip_suffix(end).unwrap_or(file))
 }
 
 fn segments(
@@ -373,7 +378,7 @@ mod tests {
             ("lake.poly.gz", "lake.node"),
             ("-", "-.node"),
         ] {
-            assert_eq!(companion_name(file), node);
+            assert_eq!(beside(file, ".poly", ".node"), node);
         }
     }
 }

@@ -31,6 +31,8 @@ fn read_all(bytes: &[u8]) {
     check(msh::read(bytes, "any").err());
     let outline = Pslg { points: vec![[0.0; 2]; 5], ..Pslg::default() };
     check(ele::read(bytes, "any", &outline).err());
+    check(ele::read_with_companions(bytes, "any", |_| Ok(bytes.to_vec())).err());
+    check(ele::read_with_companions(bytes, "any", no_companion).err());
     let _ = vtu::read(bytes, "any");
 }
 

@@ -2,7 +2,11 @@
 
 mod common;
 
-use meshwright_formats::{Group, Mesh, gltf, groups, msh, vtu};
+use meshwright_formats::{
+    Attribute, Data, Group, Mesh, Pslg, Region, Source, Values, edge, ele, gltf, groups, msh,
+    neigh, node, poly, vtu,
+};
+use proptest::collection::vec;
 use proptest::prelude::*;
 
 /// Coordinates bit for bit: `-0.0 == 0.0` says too little.
@@ -24,9 +28,47 @@ fn through_msh(mesh: &Mesh, options: msh::Options) -> Mesh {
     read
 }
 
+/// The `.node`, `.ele` and `.poly` files of a mesh, read back together.
+fn through_triangle(mesh: &Mesh, points_beside: bool) -> Mesh {
+    let [mut node, mut ele, mut poly] = [const { Vec::new() }; 3];
+    node::write(mesh, &mut node).expect("memory takes all");
+    ele::write(mesh, &mut ele).expect("memory takes all");
+    let options = poly::Options { points_beside, ..poly::Options::default() };
+    poly::write_with(mesh, options, &mut poly).expect("memory takes all");
+    let beside = |name: &str| match name {
+        "mesh.node" if points_beside => Ok(node.clone()),
+        "mesh.poly" => Ok(poly.clone()),
+        _ => Err(std::io::ErrorKind::NotFound.into()),
+    };
+    let read = ele::read_with_companions(&ele, "mesh.ele", beside);
+    let (read, warnings) = read.unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(warnings, []);
+    read
+}
+
+/// The data that attributes can hold, under the names that they read back with: all but the
+/// first `before` attributes.
+fn attributes(data: &[Data], before: usize) -> Vec<Data> {
+    let fit = data.iter().filter(|d| d.components == 1 && matches!(d.values, Values::Real(_)));
+    let numbered = (before + 1..).zip(fit);
+    let name = |(i, data): (usize, &Data)| Data { name: format!("attribute_{i}"), ..data.clone() };
+    numbered.map(name).collect()
+}
+
 fn distinct_names(groups: &[Group]) -> bool {
     let names: std::collections::BTreeSet<_> = groups.iter().map(|g| &g.name).collect();
     names.len() == groups.len()
+}
+
+/// A region whose attribute is a whole number.
+fn region() -> impl Strategy<Value = Region> {
+    let area = prop_oneof![Just(None), (1e-3..1e3).prop_map(Some)];
+    (common::tag(), [-1.0..1.0, -1.0..1.0], area).prop_map(|(tag, seed, max_area)| Region {
+        seed,
+        tag,
+        attribute: f64::from(tag),
+        max_area,
+    })
 }
 
 proptest! {
@@ -80,12 +122,57 @@ proptest! {
     }
 
     #[test]
+    fn the_files_of_triangle_hold_all_but_names(mesh in common::mesh(), points_beside: bool) {
+        let read = through_triangle(&mesh, points_beside);
+        prop_assert_eq!(bits(&read.points), bits(&mesh.points));
+        let expected = Mesh {
+            provenance: Vec::new(),
+            edge_segments: Vec::new(),
+            groups: Vec::new(),
+            point_data: attributes(&mesh.point_data, 0),
+            triangle_data: attributes(&mesh.triangle_data, 1),
+            ..mesh
+        };
+        prop_assert_eq!(read, expected);
+    }
+
+    #[test]
+    fn poly_holds_an_outline(mesh in common::mesh(), regions in vec(region(), 0..4)) {
+        let attribute = |(i, data): (usize, Data)| match data.values {
+            Values::Real(values) => Attribute { name: format!("attribute_{}", i + 1), values },
+            Values::Integer(_) => unreachable!("attributes are real numbers"),
+        };
+        let fit = attributes(&mesh.point_data, 0);
+        let outline = Pslg {
+            holes: mesh.points[1..].to_vec(),
+            points: mesh.points,
+            point_markers: mesh.point_markers,
+            point_attributes: fit.into_iter().enumerate().map(attribute).collect(),
+            segments: mesh.edges,
+            segment_tags: mesh.edge_tags,
+            regions,
+            ..Pslg::default()
+        };
+        let mut text = Vec::new();
+        let notes = poly::write_outline(&outline, &mut text).expect("memory takes all");
+        prop_assert_eq!(notes, []);
+        let read = poly::read(&text, "outline.poly", |_| unreachable!("it holds its points"));
+        let (read, _) = read.unwrap_or_else(|error| panic!("{error}"));
+        prop_assert_eq!(Pslg { source: Source::default(), ..read }, outline);
+    }
+
+    #[test]
     fn the_same_mesh_gives_the_same_bytes(mesh in common::mesh()) {
         let files = || {
-            let mut files = [Vec::new(), Vec::new(), Vec::new()];
+            let mut files = [const { Vec::new() }; 8];
             msh::write(&mesh, &mut files[0]).expect("memory takes all");
             vtu::write(&mesh, &mut files[1]).expect("memory takes all");
             gltf::write(&mesh, &mut files[2]).expect("memory takes all");
+            node::write(&mesh, &mut files[3]).expect("memory takes all");
+            ele::write(&mesh, &mut files[4]).expect("memory takes all");
+            poly::write(&mesh, &mut files[5]).expect("memory takes all");
+            edge::write(&mesh, &mut files[6]).expect("memory takes all");
+            neigh::write(&mesh, &mut files[7]).expect("memory takes all");
             files
         };
         prop_assert_eq!(files(), files());

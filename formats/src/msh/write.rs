@@ -6,9 +6,9 @@
 
 use std::io::{self, Write};
 
-use crate::digits::{push_integer, push_real};
 use crate::groups::{Note, Rules, Table};
 use crate::mesh::Mesh;
+use crate::rows::{Rows, one_based};
 
 /// What may be asked of a `.msh` file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -54,94 +54,56 @@ pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
 pub fn write_with(mesh: &Mesh, options: Options, out: &mut impl Write) -> io::Result<Vec<Note>> {
     let rules = Rules { positive: true, unique: options.unique_ids, quoted: true };
     let (table, notes) = Table::new(mesh, rules);
-    let mut text = Text { buffer: Vec::with_capacity(2 * BLOCK), out };
-    text.header(&table)?;
-    text.nodes(mesh)?;
-    text.elements(mesh, &table)?;
-    text.out.write_all(&text.buffer)?;
+    let mut rows = Rows::new(out);
+    header(&mut rows, &table)?;
+    nodes(&mut rows, mesh)?;
+    elements(&mut rows, mesh, &table)?;
+    rows.finish()?;
     Ok(notes)
 }
 
-/// Bytes that are gathered before they are handed on.
-const BLOCK: usize = 1 << 16;
-
-struct Text<'a, W> {
-    buffer: Vec<u8>,
-    out: &'a mut W,
+fn header(rows: &mut Rows<impl Write>, table: &Table) -> io::Result<()> {
+    rows.text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")?;
+    if table.entries.is_empty() {
+        return Ok(());
+    }
+    rows.text("$PhysicalNames\n")?;
+    rows.integers(&[table.entries.len() as i64])?;
+    for entry in &table.entries {
+        let (dim, number, name) = (entry.dim, entry.number, &entry.name);
+        rows.text(&format!("{dim} {number} \"{name}\"\n"))?;
+    }
+    rows.text("$EndPhysicalNames\n")
 }
 
-impl<W: Write> Text<'_, W> {
-    fn header(&mut self, table: &Table) -> io::Result<()> {
-        self.buffer.extend(b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
-        if table.entries.is_empty() {
-            return Ok(());
-        }
-        self.buffer.extend(b"$PhysicalNames\n");
-        self.line(&[table.entries.len() as i64])?;
-        for entry in &table.entries {
-            let (dim, number, name) = (entry.dim, entry.number, &entry.name);
-            self.buffer.extend(format!("{dim} {number} \"{name}\"\n").bytes());
-        }
-        self.buffer.extend(b"$EndPhysicalNames\n");
-        Ok(())
+fn nodes(rows: &mut Rows<impl Write>, mesh: &Mesh) -> io::Result<()> {
+    rows.text("$Nodes\n")?;
+    rows.integers(&[mesh.points.len() as i64])?;
+    for (number, &[x, y]) in (1_i64..).zip(&mesh.points) {
+        rows.integer(number);
+        rows.real(x);
+        rows.real(y);
+        rows.integer(0);
+        rows.end()?;
     }
-
-    fn nodes(&mut self, mesh: &Mesh) -> io::Result<()> {
-        self.buffer.extend(b"$Nodes\n");
-        self.line(&[mesh.points.len() as i64])?;
-        for (number, &[x, y]) in (1_i64..).zip(&mesh.points) {
-            push_integer(&mut self.buffer, number);
-            self.buffer.push(b' ');
-            push_real(&mut self.buffer, x);
-            self.buffer.push(b' ');
-            push_real(&mut self.buffer, y);
-            self.buffer.extend(b" 0\n");
-            self.hand_on()?;
-        }
-        self.buffer.extend(b"$EndNodes\n");
-        Ok(())
-    }
-
-    fn elements(&mut self, mesh: &Mesh, table: &Table) -> io::Result<()> {
-        self.buffer.extend(b"$Elements\n");
-        self.line(&[mesh.edges.len() as i64 + mesh.triangles.len() as i64])?;
-        let mut number = 0;
-        for (&[a, b], &group) in mesh.edges.iter().zip(&table.edges) {
-            number += 1;
-            let group = i64::from(table.entries[group as usize].number);
-            self.line(&[number, 1, 2, group, group, node(a), node(b)])?;
-        }
-        for (triangle, &[a, b, c]) in mesh.triangles.iter().enumerate() {
-            number += 1;
-            let group = table.region(mesh.triangle_tag(triangle));
-            let group = i64::from(table.entries[group].number);
-            self.line(&[number, 2, 2, group, group, node(a), node(b), node(c)])?;
-        }
-        self.buffer.extend(b"$EndElements\n");
-        Ok(())
-    }
-
-    fn line(&mut self, numbers: &[i64]) -> io::Result<()> {
-        for &number in numbers {
-            push_integer(&mut self.buffer, number);
-            self.buffer.push(b' ');
-        }
-        if let Some(last) = self.buffer.last_mut() {
-            *last = b'\n';
-        }
-        self.hand_on()
-    }
-
-    fn hand_on(&mut self) -> io::Result<()> {
-        if self.buffer.len() >= BLOCK {
-            self.out.write_all(&self.buffer)?;
-            self.buffer.clear();
-        }
-        Ok(())
-    }
+    rows.text("$EndNodes\n")
 }
 
-/// The number of a node: they are counted from one.
-fn node(index: u32) -> i64 {
-    i64::from(index) + 1
+fn elements(rows: &mut Rows<impl Write>, mesh: &Mesh, table: &Table) -> io::Result<()> {
+    rows.text("$Elements\n")?;
+    rows.integers(&[mesh.edges.len() as i64 + mesh.triangles.len() as i64])?;
+    let mut number = 0;
+    for (&[a, b], &group) in mesh.edges.iter().zip(&table.edges) {
+        number += 1;
+        let group = i64::from(table.entries[group as usize].number);
+        rows.integers(&[number, 1, 2, group, group, one_based(a), one_based(b)])?;
+    }
+    for (triangle, &[a, b, c]) in mesh.triangles.iter().enumerate() {
+        number += 1;
+        let group = table.region(mesh.triangle_tag(triangle));
+        let group = i64::from(table.entries[group].number);
+        let [a, b, c] = [a, b, c].map(one_based);
+        rows.integers(&[number, 2, 2, group, group, a, b, c])?;
+    }
+    rows.text("$EndElements\n")
 }
