@@ -15,10 +15,25 @@ pub enum Format {
     Vtu,
     /// glTF, binary.
     Glb,
+    /// Triangle's triangles.
+    Ele,
+    /// Triangle's edges.
+    Edge,
+    /// Triangle's neighbours of triangles.
+    Neigh,
 }
 
 impl Format {
-    const ALL: [Self; 5] = [Self::Poly, Self::Node, Self::Msh, Self::Vtu, Self::Glb];
+    const ALL: [Self; 8] = [
+        Self::Msh,
+        Self::Vtu,
+        Self::Glb,
+        Self::Poly,
+        Self::Node,
+        Self::Ele,
+        Self::Edge,
+        Self::Neigh,
+    ];
 
     /// The format of a file with this name, `.gz` at its end aside.
     pub fn of(path: &Path) -> Option<Self> {
@@ -38,6 +53,9 @@ impl Format {
             Self::Msh => "msh",
             Self::Vtu => "vtu",
             Self::Glb => "glb",
+            Self::Ele => "ele",
+            Self::Edge => "edge",
+            Self::Neigh => "neigh",
         }
     }
 
@@ -49,6 +67,9 @@ impl Format {
             Self::Msh => "Gmsh 2.2",
             Self::Vtu => "VTK",
             Self::Glb => "glTF",
+            Self::Ele => "Triangle .ele",
+            Self::Edge => "Triangle .edge",
+            Self::Neigh => "Triangle .neigh",
         }
     }
 
@@ -59,12 +80,7 @@ impl Format {
 
     /// Whether meshes are read from it.
     pub fn meshes_are_read(self) -> bool {
-        matches!(self, Self::Msh | Self::Vtu)
-    }
-
-    /// Whether meshes are written to it.
-    pub fn meshes_are_written(self) -> bool {
-        matches!(self, Self::Msh | Self::Vtu | Self::Glb)
+        matches!(self, Self::Msh | Self::Vtu | Self::Ele)
     }
 }
 

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use flate2::read::MultiGzDecoder;
-use meshwright::formats::{Mesh, Pslg, msh, node, poly, vtu};
+use meshwright::formats::{Mesh, Pslg, ele, msh, node, poly, vtu};
 
 use super::failure::{Exit, Failure, reason};
 use super::format::{Format, listed};
@@ -52,15 +52,15 @@ pub fn any(path: &Path, from: Option<Format>, voice: &Voice) -> Result<Input, Fa
     let mut files = if stdin { Vec::new() } else { vec![path.to_path_buf()] };
     let bytes = if stdin { read_stdin()? } else { read_file(path)? };
     let wrong = Failure::input;
+    let companion = |beside: &str| {
+        if stdin {
+            return Err(io::Error::other("stdin has no file beside it"));
+        }
+        files.push(PathBuf::from(beside));
+        uncompressed(fs::read(beside)?)
+    };
     let content = match format {
         Format::Poly => {
-            let companion = |node: &str| {
-                files.push(PathBuf::from(node));
-                if stdin {
-                    return Err(io::Error::other("an outline from stdin has no file beside it"));
-                }
-                uncompressed(fs::read(node)?)
-            };
             let (pslg, warnings) = poly::read(&bytes, &name, companion).map_err(wrong)?;
             warnings.iter().for_each(|warning| voice.warn(warning));
             Content::Outline(pslg)
@@ -75,8 +75,16 @@ pub fn any(path: &Path, from: Option<Format>, voice: &Voice) -> Result<Input, Fa
             warnings.iter().for_each(|warning| voice.warn(warning));
             Content::Mesh(mesh)
         }
+        Format::Ele => {
+            let read = ele::read_with_companions(&bytes, &name, companion);
+            let (mesh, warnings) = read.map_err(wrong)?;
+            warnings.iter().for_each(|warning| voice.warn(warning));
+            Content::Mesh(mesh)
+        }
         Format::Vtu => Content::Mesh(vtu::read(&bytes, &name).map_err(Failure::input)?),
-        Format::Glb => unreachable!("`format_of` refuses formats that are not read"),
+        Format::Glb | Format::Edge | Format::Neigh => {
+            unreachable!("`format_of` refuses formats that are not read")
+        }
     };
     Ok(Input { content, format, name, files })
 }

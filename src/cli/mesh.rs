@@ -8,7 +8,7 @@ use clap::Args;
 use meshwright::certify::Certificate;
 use meshwright::domain;
 use meshwright::formats::groups::Note;
-use meshwright::formats::{Mesh, Pslg, gltf, msh, vtu};
+use meshwright::formats::{Mesh, Pslg, edge, ele, gltf, msh, neigh, node, poly, vtu};
 use meshwright::refine::End;
 use meshwright::{Error, Outcome, Rule, Warning, mesh_with};
 
@@ -21,6 +21,7 @@ use super::output::{Pending, STDOUT, Written, check_places};
 use super::progress::ProgressLine;
 use super::refining::RefineOptions;
 use super::summary::Summary;
+use super::triangle::{is_beside, tell_incomplete};
 use super::voice::{Voice, print};
 use super::wording::{count, grouped};
 
@@ -32,8 +33,8 @@ const MOST_NOTES: usize = 6;
 pub struct Arguments {
     /// The outline (`-`: stdin).
     input: PathBuf,
-    /// A file to write, its format by its end: .msh, .vtu, .glb; may be given several times
-    /// (`-`: stdout).
+    /// A file to write, its format by its end: .msh, .vtu, .glb, or .node, .ele, .poly,
+    /// .edge, .neigh as Triangle writes them; may be given several times (`-`: stdout).
     #[arg(short, long, value_name = "OUT")]
     output: Vec<PathBuf>,
     /// The format of the input, where its name does not tell.
@@ -76,8 +77,9 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
 
     let summary = Summary::new(&pslg, &outcome, parameters.soft_angle);
     summary.say_mesh(&input.name, took, voice);
-    let (written, notes) = arguments.write(&outcome.mesh, &formats)?;
+    let (written, notes) = arguments.write(&outcome.mesh, &pslg, &formats)?;
     say_notes(notes, voice);
+    tell_incomplete(&arguments.outputs(&formats), voice);
     summary.say_written(&written, voice);
 
     let exit = verdict(&outcome, &pslg, arguments, voice);
@@ -106,7 +108,7 @@ impl Arguments {
     }
 
     fn format(&self, output: &Path) -> Result<Format, Failure> {
-        let known = listed(Format::meshes_are_written);
+        let known = listed(|_| true);
         match Format::of(output).or(self.to) {
             Some(_) if output.extension().is_some_and(|end| end.eq_ignore_ascii_case("gz")) => {
                 Err(Failure::usage(format!(
@@ -114,13 +116,7 @@ impl Arguments {
                     output.display()
                 )))
             }
-            Some(format) if format.meshes_are_written() => Ok(format),
-            Some(format) => Err(Failure::usage(format!(
-                "{}: a mesh is not written as .{}",
-                output.display(),
-                format.extension()
-            ))
-            .with_help(format!("meshes are written to {known}"))),
+            Some(format) => Ok(format),
             None => Err(Failure::usage(format!(
                 "{}: its name does not tell the format of a mesh",
                 output.display()
@@ -129,13 +125,31 @@ impl Arguments {
         }
     }
 
+    fn outputs(&self, formats: &[Format]) -> Vec<(&PathBuf, Format)> {
+        self.output.iter().zip(formats.iter().copied()).collect()
+    }
+
     /// Writes every output, then puts all in their places: none is there if one fails.
-    fn write(&self, mesh: &Mesh, formats: &[Format]) -> Result<(Outputs, Notes), Failure> {
+    fn write(
+        &self,
+        mesh: &Mesh,
+        pslg: &Pslg,
+        formats: &[Format],
+    ) -> Result<(Outputs, Notes), Failure> {
+        let outputs = self.outputs(formats);
         let mut notes = Notes::default();
         let mut pending = Vec::new();
-        for (output, &format) in self.output.iter().zip(formats) {
-            let (file, said) =
-                Pending::write(output, |out| write_mesh(mesh, format, self.unique_ids, out))?;
+        for &(output, format) in &outputs {
+            let content = FileContent {
+                mesh,
+                format,
+                msh: msh::Options { unique_ids: self.unique_ids },
+                poly: poly::Options {
+                    outline: Some(pslg),
+                    points_beside: is_beside(output, Format::Node, &outputs),
+                },
+            };
+            let (file, said) = Pending::write(output, |out| content.write(out))?;
             pending.push(file);
             notes.add(output, said);
         }
@@ -145,17 +159,27 @@ impl Arguments {
     }
 }
 
-fn write_mesh(
-    mesh: &Mesh,
+/// What one output holds.
+struct FileContent<'a> {
+    mesh: &'a Mesh,
     format: Format,
-    unique_ids: bool,
-    mut out: &mut dyn Write,
-) -> io::Result<Vec<Note>> {
-    match format {
-        Format::Msh => msh::write_with(mesh, msh::Options { unique_ids }, &mut out),
-        Format::Vtu => vtu::write(mesh, &mut out),
-        Format::Glb => gltf::write(mesh, &mut out),
-        Format::Poly | Format::Node => Err(io::ErrorKind::Unsupported.into()),
+    msh: msh::Options,
+    poly: poly::Options<'a>,
+}
+
+impl FileContent<'_> {
+    fn write(&self, mut out: &mut dyn Write) -> io::Result<Vec<Note>> {
+        let Self { mesh, .. } = *self;
+        match self.format {
+            Format::Msh => msh::write_with(mesh, self.msh, &mut out),
+            Format::Vtu => vtu::write(mesh, &mut out),
+            Format::Glb => gltf::write(mesh, &mut out),
+            Format::Node => node::write(mesh, &mut out),
+            Format::Ele => ele::write(mesh, &mut out),
+            Format::Poly => poly::write_with(mesh, self.poly, &mut out),
+            Format::Edge => edge::write(mesh, &mut out),
+            Format::Neigh => neigh::write(mesh, &mut out),
+        }
     }
 }
 

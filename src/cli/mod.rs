@@ -15,6 +15,7 @@ mod refining;
 mod shell;
 mod summary;
 mod trace;
+mod triangle;
 mod voice;
 mod wording;
 

@@ -8,3 +8,4 @@ mod messages;
 mod schema;
 mod signals;
 mod tracing;
+mod triangle;

@@ -54,7 +54,6 @@ fn wrong_values_are_refused_with_the_reason() {
         ("-q -v", "cannot be used with"),
         ("-o square.png", "square.png: its name does not tell the format of a mesh"),
         ("-o square.msh.gz", "compressed files are read, not written"),
-        ("-o copy.poly", "a mesh is not written as .poly"),
         ("-o -", "--to FORMAT says it"),
         ("-o - --to msh --json", "both want stdout"),
         ("-o a.msh -o ./a.msh", "two outputs have one place: a.msh and ./a.msh"),
@@ -95,7 +94,10 @@ fn a_file_of_the_wrong_kind_is_refused() {
     bench.put("site", SQUARE);
     for (arguments, reason) in [
         ("mesh two.msh", "two.msh holds a mesh, where an outline is wanted (.poly, .node)"),
-        ("check square.poly", "square.poly holds an outline, where a mesh is wanted (.msh, .vtu)"),
+        (
+            "check square.poly",
+            "square.poly holds an outline, where a mesh is wanted (.msh, .vtu, .ele)",
+        ),
         ("info site.dxf", "site.dxf: files that end in .dxf are not read"),
         ("mesh site", "site: its name does not tell its format"),
         ("mesh -", "stdin has no name that tells its format"),
