@@ -6,10 +6,12 @@
 //! - [`hostile`]: everything at once, clean by construction.
 //! - [`sketch`], [`plane`], [`measure`], [`motion`], [`poly`]: what those are made with.
 //! - [`corpus`]: the large collection of outlines, and what is known of each.
+//! - [`experiments`]: the tables and pictures of the paper, made again.
 //! - [`judge`], [`run`], [`shrink`]: meshing, judging, doing so two thousand times, and making small
 //!   what fails.
 
 pub mod corpus;
+pub mod experiments;
 pub mod families;
 pub mod figures;
 pub mod hostile;
