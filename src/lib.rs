@@ -40,6 +40,7 @@ pub use meshwright_formats::{Mesh, Pslg};
 
 mod assemble;
 mod attributes;
+mod boxes;
 mod carve;
 pub mod certify;
 pub mod constructions;

@@ -1,4 +1,4 @@
-//! G2 and G3: what the circles are empty of, exactly.
+//! G2 and G3: what the circles are empty of, exactly. And what a solver has of it: G10.
 
 use std::cmp::Ordering;
 
@@ -49,4 +49,20 @@ pub(super) fn judge_discs(
         }
         g3.add_unless(floor.covers(&complex.triangles[h as usize / 3]), fault);
     }
+}
+
+/// G10: the P1 stiffness matrix of −∇·(k∇u), k > 0 constant in each region, is an M-matrix, and the
+/// circumcenters make an admissible finite-volume mesh: none lies across a segment.
+///
+/// The entry of an edge inside a region is −k/2·(cot α + cot β), α and β its opposite angles; its
+/// sign is that of the in-circle determinant, which G2 has decided exactly. At a piece of a segment
+/// k may differ from side to side, so that each side's cotangent must not be negative by itself: no
+/// apex strictly inside the diametral disc, which is G3. And a triangle's circumcenter lies across a
+/// segment only if an angle opposite some piece of one is obtuse, for a Delaunay mesh.
+pub(super) fn conclude_matrix(g2: &Judgement, g3: &Judgement, g10: &mut Judgement) {
+    let of = |fault: &Fault| Fault { kind: FaultKind::PositiveCoupling, ..fault.clone() };
+    g10.first = g2.first.iter().chain(&g3.first).map(of).collect();
+    g10.faults = g2.faults + g3.faults;
+    g10.first_limited = g2.first_limited.iter().chain(&g3.first_limited).map(of).collect();
+    g10.limited = g2.limited + g3.limited;
 }

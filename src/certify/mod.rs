@@ -13,6 +13,9 @@
 //! | G4 | segments, points and tags of the outline are kept | `conformity`, `tags` |
 //! | G5, G6 | Lemma 7 | `angles` |
 //! | G7 | Corollary 3 | `angles` |
+//! | G8 | Corollary 2 | `shortest` |
+//! | G9 | points are of the kinds they are said to be | `provenance` |
+//! | G10 | the stiffness matrix is an M-matrix | `delaunay` |
 
 mod angles;
 mod complex;
@@ -24,12 +27,14 @@ mod frame;
 mod hull;
 mod outline;
 mod precision;
+mod provenance;
+mod shortest;
 mod tags;
 mod verdict;
 
 pub use verdict::{
-    Apex, Certificate, ExcusedAngle, Fault, FaultKind, Guarantee, Judgement, Narrow, NarrowTo,
-    Numbered, Promise, Verdict,
+    Apex, Certificate, Corollary2, ExcusedAngle, Fault, FaultKind, Guarantee, Judgement, Kinds,
+    Narrow, NarrowTo, Numbered, Promise, Verdict,
 };
 
 use angles::{AngleJudgements, Angles, Laid};
@@ -43,7 +48,7 @@ use crate::formats::{Mesh, Pslg};
 
 /// Judges a mesh against the outline that it is a mesh of.
 ///
-/// Every guarantee G1 to G7 is judged, and the mesh's tags are compared with the outline's. The
+/// Every guarantee is judged (G8 and G9 only where the mesh says its points' kinds), and the mesh's tags are compared with the outline's. The
 /// work grows like n log n.
 ///
 /// ```
@@ -76,7 +81,7 @@ use crate::formats::{Mesh, Pslg};
 pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
     let frame = Frame::new(&pslg.points).with_output(&mesh.points);
     let outline = Outline::new(pslg, promise.region, frame);
-    let [mut g1, mut g2, mut g3, mut g4, mut g5, mut g6, mut g7] =
+    let [mut g1, mut g2, mut g3, mut g4, mut g5, mut g6, mut g7, mut g8, mut g9, mut g10] =
         Guarantee::ALL.map(Judgement::new);
 
     let complex = Complex::new(mesh, frame, &mut g1);
@@ -94,8 +99,16 @@ pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
     let angles =
         angles::judge(&complex, &chains, Some(laid), &floor, promise.min_angle, judgements);
 
-    let mut certificate = conclude(&complex, promise, vec![g1, g2, g3, g4, g5, g6, g7], angles);
+    let corollary_2 =
+        shortest::judge(&outline, &complex, &chains, &floor, promise, theta_star, &mut g8);
+    let kinds = provenance::judge(&complex, &chains, &mut g9);
+    delaunay::conclude_matrix(&g2, &g3, &mut g10);
+
+    let judgements = vec![g1, g2, g3, g4, g5, g6, g7, g8, g9, g10];
+    let mut certificate = conclude(&complex, promise, judgements, angles);
     certificate.theta_star = Some(theta_star);
+    certificate.corollary_2 = corollary_2;
+    certificate.kinds = kinds;
     certificate.limited_triangles = complex.triangles.iter().filter(|t| floor.covers(t)).count();
     certificate.apexes = floor.apexes;
     certificate.narrows = floor.narrows;
@@ -104,12 +117,12 @@ pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
 }
 
 /// Judges a mesh of which no outline is known: G1 (but not whether it covers what it should), G2,
-/// G3 and G7. The mesh's list of boundary and interface edges is taken for the subsegments.
+/// G3, G7 and G10. The mesh's list of boundary and interface edges is taken for the subsegments.
 #[must_use]
 pub fn certify_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
     const REASON: &str = "it needs the outline";
     let frame = Frame::new(&mesh.points);
-    let [mut g1, mut g2, mut g3, mut g4, mut g5, mut g6, mut g7] =
+    let [mut g1, mut g2, mut g3, mut g4, mut g5, mut g6, mut g7, _, _, mut g10] =
         Guarantee::ALL.map(Judgement::new);
 
     let complex = Complex::new(mesh, frame, &mut g1);
@@ -123,9 +136,17 @@ pub fn certify_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
     let judgements = AngleJudgements { g5: &mut g5, g6: &mut g6, g7: &mut g7 };
     let angles = angles::judge(&complex, &chains, None, &floor, promise.min_angle, judgements);
 
-    let [g4, g5, g6] = [Guarantee::Conforming, Guarantee::SmallAngles, Guarantee::SmallestAngle]
-        .map(|guarantee| Judgement::not_judged(guarantee, REASON));
-    let mut certificate = conclude(&complex, promise, vec![g1, g2, g3, g4, g5, g6, g7], angles);
+    delaunay::conclude_matrix(&g2, &g3, &mut g10);
+    let [g4, g5, g6, g8, g9] = [
+        Guarantee::Conforming,
+        Guarantee::SmallAngles,
+        Guarantee::SmallestAngle,
+        Guarantee::ShortestEdge,
+        Guarantee::Provenance,
+    ]
+    .map(|guarantee| Judgement::not_judged(guarantee, REASON));
+    let judgements = vec![g1, g2, g3, g4, g5, g6, g7, g8, g9, g10];
+    let mut certificate = conclude(&complex, promise, judgements, angles);
     certificate.not_judged = vec![
         "whether the mesh covers what it should (it needs the outline)",
         "whether the outline excuses the smallest angles (it needs the outline)",
@@ -149,6 +170,8 @@ fn conclude(
         largest_angle: angles.largest,
         theta_star: None,
         excused: angles.excused,
+        kinds: None,
+        corollary_2: None,
         apexes: Vec::new(),
         narrows: Vec::new(),
         limited_triangles: 0,

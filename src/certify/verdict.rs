@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::formats::Mesh;
-use crate::parameters::{Excuse, MinAngle, Parameters, Region};
+use crate::parameters::{Excuse, MinAngle, Parameters, Region, Rule};
 
 /// How many faults of each guarantee are kept; all are counted.
 const KEPT: usize = 64;
@@ -18,6 +18,9 @@ pub struct Promise {
     /// The rule by which small angles were left alone. The bound that is judged (G5) is the same
     /// for both; the certificate only states it.
     pub excuse: Excuse,
+    /// Whether the run was a plain one, of which Corollary 2 speaks: the adaptive rule, and no
+    /// sizes or soft target that ask for more points than the outline does. `None`: not known.
+    pub is_plain: Option<bool>,
 }
 
 impl From<&Parameters> for Promise {
@@ -26,6 +29,11 @@ impl From<&Parameters> for Promise {
             min_angle: parameters.min_angle,
             region: parameters.region,
             excuse: parameters.excuse,
+            is_plain: Some(
+                parameters.rule == Rule::Adaptive
+                    && parameters.max_area.is_none()
+                    && parameters.soft_angle.is_none(),
+            ),
         }
     }
 }
@@ -48,11 +56,18 @@ pub enum Guarantee {
     SmallestAngle,
     /// G7: Corollary 3.
     LargestAngle,
+    /// G8: Corollary 2.
+    ShortestEdge,
+    /// G9: the points are of the kinds that they are said to be.
+    Provenance,
+    /// G10: the P1 stiffness matrix is an M-matrix, the circumcenters make an admissible
+    /// finite-volume mesh.
+    Matrix,
 }
 
 impl Guarantee {
     /// All of them, G1 first.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 10] = [
         Self::Complex,
         Self::Delaunay,
         Self::Unencroached,
@@ -60,12 +75,15 @@ impl Guarantee {
         Self::SmallAngles,
         Self::SmallestAngle,
         Self::LargestAngle,
+        Self::ShortestEdge,
+        Self::Provenance,
+        Self::Matrix,
     ];
 
-    /// `G1` to `G7`.
+    /// `G1` to `G10`.
     #[must_use]
     pub fn code(self) -> &'static str {
-        ["G1", "G2", "G3", "G4", "G5", "G6", "G7"][self as usize]
+        ["G1", "G2", "G3", "G4", "G5", "G6", "G7", "G8", "G9", "G10"][self as usize]
     }
 
     /// The word that a report uses.
@@ -79,6 +97,9 @@ impl Guarantee {
             "small angles",
             "smallest angle",
             "largest angle",
+            "shortest edge",
+            "provenance",
+            "M-matrix",
         ][self as usize]
     }
 }
@@ -226,6 +247,17 @@ pub enum FaultKind {
         /// The bound, in radians.
         bound: f64,
     },
+    /// G8: an edge is shorter than lfs′_min·2 sin(θ*/2)/μ.
+    TooShort {
+        /// Its length.
+        length: f64,
+        /// The bound.
+        bound: f64,
+    },
+    /// G9: a point does not lie where a point of its kind lies.
+    WrongKind,
+    /// G10: an entry of the stiffness matrix outside its diagonal is positive.
+    PositiveCoupling,
 }
 
 impl Fault {
@@ -356,6 +388,30 @@ impl Judgement {
     }
 }
 
+/// How many points of each kind a mesh has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Kinds {
+    /// Points of the outline.
+    pub input: usize,
+    /// Points on segments that the analysis treats as input.
+    pub shell: usize,
+    /// Midpoints of subsegments.
+    pub midpoint: usize,
+    /// Circumcenters and off-centers.
+    pub circumcenter: usize,
+}
+
+/// What Corollary 2 says of a mesh, in the units of its coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Corollary2 {
+    /// lfs′_min: the least local feature size of the outline with its shell points.
+    pub lfs_min: f64,
+    /// No edge may be shorter: lfs′_min·2 sin(θ*/2)/μ.
+    pub bound: f64,
+    /// The length of the shortest edge; its ratio to the bound says how pessimistic that is.
+    pub shortest: f64,
+}
+
 /// A small angle that Lemma 7 allows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExcusedAngle {
@@ -431,6 +487,10 @@ pub struct Certificate {
     pub theta_star: Option<f64>,
     /// The angles below κ̂ that Lemma 7 allows, in the order of the triangles.
     pub excused: Vec<ExcusedAngle>,
+    /// Points by kind; `None` where the mesh or its outline are not known so well.
+    pub kinds: Option<Kinds>,
+    /// What G8 rests on; `None` as above.
+    pub corollary_2: Option<Corollary2>,
     /// The apexes in whose stretch a point of the mesh lies.
     pub apexes: Vec<Apex>,
     /// The features that are too close to each other.
@@ -475,6 +535,9 @@ impl fmt::Display for Certificate {
             line(f, judgement.guarantee.name(), judgement, &self.summary(judgement.guarantee))?;
         }
         self.write_angles(f)?;
+        for judgement in &self.judgements[7..] {
+            line(f, judgement.guarantee.name(), judgement, &self.summary(judgement.guarantee))?;
+        }
         if self.limited() {
             self.write_limits(f)?;
         }
@@ -488,7 +551,7 @@ impl fmt::Display for Certificate {
 impl Certificate {
     /// One line for all that holds, or one for each guarantee that fails.
     fn write_angles(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let angles = &self.judgements[4..];
+        let angles = &self.judgements[4..7];
         let mut failing = angles.iter().filter(|judgement| judgement.faults > 0).peekable();
         if failing.peek().is_some() {
             return failing
@@ -534,6 +597,20 @@ impl Certificate {
                 grouped(self.triangles),
                 Significant(self.area)
             ),
+            Guarantee::ShortestEdge => self.corollary_2.map_or_else(String::new, |found| {
+                let [shortest, times] =
+                    [found.shortest, found.shortest / found.bound].map(Significant);
+                format!("{shortest:.3}, {times:.2} times what Corollary 2 promises")
+            }),
+            Guarantee::Provenance => self.kinds.map_or_else(String::new, |kinds| {
+                let Kinds { input, shell, midpoint, circumcenter } = kinds;
+                let [input, shell, midpoint, circumcenter] =
+                    [input, shell, midpoint, circumcenter].map(grouped);
+                format!(
+                    "{input} input, {shell} shell, {midpoint} midpoint, {circumcenter} circumcenter"
+                )
+            }),
+            Guarantee::Matrix => "and admissible for finite volumes".to_owned(),
             _ => String::new(),
         }
     }
@@ -678,6 +755,16 @@ impl fmt::Display for Fault {
                 "triangle {triangle} has an angle of {angle} at point {point}, below {}",
                 degrees(*bound)
             )?,
+            TooShort { length, bound } => write!(
+                f,
+                "edge {v}–{w} is {:.3} long, below the {:.3} of Corollary 2",
+                Significant(*length),
+                Significant(*bound)
+            )?,
+            WrongKind => write!(f, "point {point} does not lie where a point of its kind does")?,
+            PositiveCoupling => {
+                write!(f, "edge {v}–{w} couples its points with the wrong sign")?;
+            }
             TooLarge { bound } => write!(
                 f,
                 "triangle {triangle} has an angle of {angle} at point {point}, above {}",

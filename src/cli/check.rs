@@ -6,6 +6,7 @@ use clap::Args;
 use meshwright::certify::{self, Certificate};
 use meshwright::statistics::Statistics;
 
+use super::certificate::{self, Held};
 use super::failure::{Exit, Failure};
 use super::format::{Format, listed};
 use super::input::{self, Content};
@@ -29,6 +30,10 @@ pub struct Arguments {
     promise: PromiseOptions,
     #[command(flatten)]
     scale: Scale,
+    /// Take what the mesh is held to from this file, which `mesh --certificate` wrote.
+    #[arg(long, value_name = "FILE.json",
+          conflicts_with_all = ["min_angle", "no_guarantee", "region", "excuse", "scale"])]
+    certificate: Option<PathBuf>,
     /// Print the verdict as JSON.
     #[arg(long)]
     json: bool,
@@ -44,11 +49,14 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
             listed(Format::meshes_are_read)
         )));
     };
-    let (promise, _) = arguments.promise.promise()?;
+    let Held { promise, scale } = match &arguments.certificate {
+        Some(path) => certificate::read(path)?,
+        None => Held { promise: arguments.promise.promise()?.0, scale: arguments.scale },
+    };
     let certificate = match &arguments.input {
         Some(path) => {
             let (mut pslg, _) = input::outline(path, None, voice)?;
-            arguments.scale.apply(&mut pslg);
+            scale.apply(&mut pslg);
             certify::certify(&pslg, mesh, &promise)
         }
         None => certify::certify_alone(mesh, &promise),

@@ -18,7 +18,7 @@ use super::input::Input;
 use super::output::Written;
 
 /// The version of these objects: it changes when a reader of them would have to change.
-const VERSION: u32 = 1;
+pub const VERSION: u32 = 1;
 
 /// What the object of `mesh` is made from.
 pub struct MeshReport<'a> {
@@ -78,6 +78,25 @@ pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
         ("warnings", json!(report.warnings)),
         ("outputs", report.written.iter().map(output).collect()),
         ("exit", json!(report.exit as u8)),
+    ] {
+        object.insert(name.into(), value);
+    }
+    finished(object)
+}
+
+/// The certificate file of `mesh`: the verdict, and what it was judged by.
+pub fn certificate_file(
+    input: &Input,
+    parameters: &Parameters,
+    scale: Option<f64>,
+    certificate: &Certificate,
+) -> Vec<u8> {
+    let mut object = header("certificate");
+    object.extend(file(input));
+    for (name, value) in [
+        ("scale", json!(scale)),
+        ("parameters", self::parameters(parameters)),
+        ("certificate", self::certificate(certificate)),
     ] {
         object.insert(name.into(), value);
     }
@@ -256,6 +275,18 @@ fn certificate(certificate: &Certificate) -> Value {
             "segments": excused.segments.map(|segment| segment.number),
             "theta": excused.theta.to_degrees(),
         })).collect::<Vec<_>>(),
+        "points_by_kind": certificate.kinds.map(|kinds| json!({
+            "input": kinds.input,
+            "shell": kinds.shell,
+            "midpoint": kinds.midpoint,
+            "circumcenter": kinds.circumcenter,
+        })),
+        "corollary_2": certificate.corollary_2.map(|found| json!({
+            "lfs_min": found.lfs_min,
+            "bound": found.bound,
+            "shortest_edge": found.shortest,
+            "pessimism": found.shortest / found.bound,
+        })),
         "apexes": certificate.apexes.iter().map(|apex| json!({
             "point": apex.point.number,
             "segments": apex.segments.map(|segment| segment.number),
@@ -292,6 +323,7 @@ fn promise(promise: &Promise) -> Value {
             Excuse::Measured => "measured",
             Excuse::Midpoints => "midpoints",
         },
+        "plain": promise.is_plain,
     })
 }
 

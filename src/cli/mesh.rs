@@ -53,6 +53,10 @@ pub struct Arguments {
     /// Let any warning end the command with exit code 4.
     #[arg(long)]
     strict: bool,
+    /// Write the verdict and the parameters it was judged by to this JSON file, for
+    /// `check --certificate`.
+    #[arg(long, value_name = "FILE.json")]
+    certificate: Option<PathBuf>,
     /// Print one JSON object about the run.
     #[arg(long)]
     json: bool,
@@ -63,7 +67,9 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let formats = arguments.formats()?;
     let parameters = arguments.refine.parameters()?;
     let (mut pslg, input) = input::outline(&arguments.input, arguments.from, voice)?;
-    check_places(&arguments.output, &input.files)?;
+    let places: Vec<PathBuf> =
+        arguments.output.iter().chain(&arguments.certificate).cloned().collect();
+    check_places(&places, &input.files)?;
     arguments.scale.apply(&mut pslg);
 
     let line = ProgressLine::new(voice);
@@ -77,7 +83,9 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
 
     let summary = Summary::new(&pslg, &outcome, parameters.soft_angle);
     summary.say_mesh(&input.name, took, voice);
-    let (written, notes) = arguments.write(&outcome.mesh, &pslg, &formats)?;
+    let scale = arguments.scale.factor();
+    let certificate = json::certificate_file(&input, &parameters, scale, &outcome.certificate);
+    let (written, notes) = arguments.write(&outcome.mesh, &pslg, &formats, &certificate)?;
     say_notes(notes, voice);
     tell_incomplete(&arguments.outputs(&formats), voice);
     summary.say_written(&written, voice);
@@ -101,8 +109,12 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
 impl Arguments {
     /// The format of each output, known before anything is read.
     fn formats(&self) -> Result<Vec<Format>, Failure> {
-        if self.json && self.output.iter().any(|output| output == Path::new(STDOUT)) {
+        let wants_stdout = |output: &PathBuf| output == Path::new(STDOUT);
+        if self.json && self.output.iter().any(wants_stdout) {
             return Err(Failure::usage("--json and `-o -` both want stdout"));
+        }
+        if self.certificate.as_ref().is_some_and(wants_stdout) {
+            return Err(Failure::usage("a certificate is written to a file; --json holds it too"));
         }
         self.output.iter().map(|output| self.format(output)).collect()
     }
@@ -135,6 +147,7 @@ impl Arguments {
         mesh: &Mesh,
         pslg: &Pslg,
         formats: &[Format],
+        certificate: &[u8],
     ) -> Result<(Outputs, Notes), Failure> {
         let outputs = self.outputs(formats);
         let mut notes = Notes::default();
@@ -153,8 +166,14 @@ impl Arguments {
             pending.push(file);
             notes.add(output, said);
         }
+        let write_certificate =
+            |place: &PathBuf| Pending::write(place, |out| out.write_all(certificate));
+        let certificate = self.certificate.as_ref().map(write_certificate).transpose()?;
         let finish = |(file, &format): (Pending, _)| file.finish().map(|file| (file, format));
         let written = pending.into_iter().zip(formats).map(finish).collect::<Result<_, _>>()?;
+        if let Some((file, ())) = certificate {
+            file.finish()?;
+        }
         Ok((written, notes))
     }
 }

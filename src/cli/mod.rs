@@ -1,5 +1,6 @@
 //! The command: what it is asked, what it says, and with which exit code it ends.
 
+mod certificate;
 mod check;
 mod draw;
 mod failure;

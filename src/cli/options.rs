@@ -40,7 +40,7 @@ impl PromiseOptions {
             }
             failure.with_help("--no-guarantee takes up to 60°, within --max-points")
         })?;
-        Ok((Promise { min_angle, region: self.region, excuse: self.excuse }, soft))
+        Ok((Promise { min_angle, region: self.region, excuse: self.excuse, is_plain: None }, soft))
     }
 
     fn angles(&self) -> Result<(MinAngle, Option<MinAngle>), MinAngleError> {
@@ -62,7 +62,7 @@ impl PromiseOptions {
 }
 
 /// Multiplying an outline's lengths.
-#[derive(Debug, Clone, Copy, Args)]
+#[derive(Debug, Clone, Copy, Default, Args)]
 pub struct Scale {
     /// Multiply the outline's coordinates by this (0.001: millimetres to metres).
     #[arg(long, value_name = "F", value_parser = positive, allow_negative_numbers = true)]
@@ -70,6 +70,16 @@ pub struct Scale {
 }
 
 impl Scale {
+    /// Multiplying by a factor.
+    pub fn by(factor: f64) -> Self {
+        Self { scale: Some(factor) }
+    }
+
+    /// The factor, where there is one.
+    pub fn factor(self) -> Option<f64> {
+        self.scale
+    }
+
     /// The outline with every length multiplied.
     pub fn apply(self, pslg: &mut Pslg) {
         let Some(factor) = self.scale else { return };

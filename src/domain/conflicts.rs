@@ -3,11 +3,11 @@
 use std::fmt;
 use std::ops::ControlFlow;
 
-use super::boxes::{Boxes, Rectangle};
 use super::error::{Item, Kind, Quoted, more, number, rounded};
 use super::lexicographic;
 use super::sweep::{Linework, Violation, cross};
 use crate::Pslg;
+use crate::boxes::{Boxes, Rectangle};
 use crate::predicates::{Side, side};
 
 /// This many of a kind are named in full.

@@ -9,7 +9,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::Domain;
-use super::boxes::{Below, Boxes, Node, Rectangle};
+use crate::boxes::{Below, Boxes, Node, Rectangle};
 use crate::vector::Vector;
 
 impl Domain {

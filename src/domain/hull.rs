@@ -1,6 +1,6 @@
 //! The convex hull of the points.
 
-use super::boxes::{Boxes, Rectangle};
+use crate::boxes::{Boxes, Rectangle};
 use crate::predicates::{Side, side};
 use crate::vector::Vector;
 

@@ -1,12 +1,12 @@
 //! Which faces are meshed, and what region each belongs to: every bounded face without a hole
 //! seed, as in Triangle.
 
-use super::boxes::{Boxes, Rectangle};
 use super::conflicts::IN_FULL;
 use super::error::{Error, Item, Kind, OpenEnd, OpenEnds, Warning};
 use super::faces::{Faces, OUTSIDE};
 use super::sweep::{Linework, Located, Place};
 use crate::Pslg;
+use crate::boxes::{Boxes, Rectangle};
 
 /// A clean linework, what lies where in it, and what it was made from.
 pub struct Clean<'a> {

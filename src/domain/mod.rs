@@ -2,7 +2,6 @@
 
 mod adjoining;
 mod angles;
-mod boxes;
 mod closest;
 mod conflicts;
 mod error;

@@ -118,3 +118,44 @@ fn the_schema_judge_finds_what_breaks_a_schema() {
         assert_ne!(faults(&wrong), 0, "{wrong}");
     }
 }
+
+#[test]
+fn a_certificate_file_is_what_the_schema_says_and_check_judges_by_it() {
+    let bench = Bench::with("json-certificate", "square.poly", SQUARE);
+    bench.succeeds(
+        "mesh square.poly -o a.vtu --certificate a.json --min-angle 20 --region hull --scale 3 -q",
+    );
+    let file = String::from_utf8(bench.read("a.json")).expect("JSON is UTF-8");
+    let file = report(&Ran { stdout: file, ..bench.succeeds("--version") });
+    assert_eq!(file["scale"], 3.0);
+    assert_eq!(file["parameters"]["plain"], true);
+    assert_eq!(file["certificate"]["corollary_2"]["lfs_min"], 1.5);
+
+    let ran = bench.succeeds("check a.vtu --input square.poly --certificate a.json --json");
+    let checked = report(&ran);
+    let [checked, written] = [&checked["certificate"], &file["certificate"]];
+    for what in ["guarantees", "points_by_kind", "theta_star", "excused"] {
+        assert_eq!(checked[what], written[what], "{what}");
+    }
+    for what in ["region", "excuse", "plain"] {
+        assert_eq!(checked["promise"][what], written["promise"][what], "{what}");
+    }
+    assert_eq!(checked["promise"]["region"], "hull");
+    let degrees = checked["promise"]["min_angle"].as_f64().expect("a number");
+    assert!((degrees - 20.0).abs() < 1e-12, "{degrees}");
+    let ran = bench.run("check a.vtu --input square.poly");
+    assert_eq!(ran.code, Some(4), "without the scale it is no mesh of the outline");
+}
+
+#[test]
+fn what_is_no_certificate_is_told_so() {
+    let bench = Bench::with("no-certificate", "square.poly", SQUARE);
+    bench.succeeds("mesh square.poly -o a.vtu -q");
+    let said = bench.run("check a.vtu --input square.poly --certificate square.poly");
+    assert_eq!(said.code, Some(1));
+    assert!(said.stderr.contains("square.poly: this is no JSON"), "{}", said.stderr);
+    let both = bench.run("check a.vtu --certificate a.json --min-angle 20");
+    assert_eq!(both.code, Some(2), "the angle is either given or in the file");
+    let stdout = bench.run("mesh square.poly --certificate -");
+    assert_eq!(stdout.code, Some(2));
+}

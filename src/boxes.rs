@@ -2,6 +2,9 @@
 //!
 //! Items are halved at the median of their centers, again and again, across the longer side; so
 //! the tree is balanced whatever their distribution.
+//!
+//! It holds no judgement, only rectangles: so the domain and the judge, who share nothing else, may
+//! both search with it.
 
 use std::ops::ControlFlow;
 

@@ -1,0 +1,69 @@
+//! The certificate file: a verdict with the parameters that it was judged by, which `mesh` writes
+//! and `check` reads them from. `docs/schema/report-1.json` describes it.
+
+use std::fs;
+use std::path::Path;
+
+use meshwright::certify::Promise;
+use meshwright::{Excuse, MinAngle, Region};
+use serde_json::Value;
+
+use super::failure::Failure;
+use super::json::VERSION;
+use super::options::Scale;
+
+/// What `check` takes from a certificate file.
+pub struct Held {
+    /// What the mesh was held to.
+    pub promise: Promise,
+    /// By how much the outline's lengths were multiplied.
+    pub scale: Scale,
+}
+
+/// Reads what a mesh was held to.
+pub fn read(path: &Path) -> Result<Held, Failure> {
+    let bytes = fs::read(path).map_err(|error| Failure::io(path, &error))?;
+    let object: Value = serde_json::from_slice(&bytes)
+        .map_err(|error| Failure::input(format!("{}: this is no JSON: {error}", path.display())))?;
+    held(&object).ok_or_else(|| {
+        let message = format!("{}: this is no certificate of version {VERSION}", path.display());
+        Failure::input(message).with_help("`meshwright mesh --certificate FILE.json` writes one")
+    })
+}
+
+fn held(object: &Value) -> Option<Held> {
+    if object["version"] != VERSION || object["command"] != "certificate" {
+        return None;
+    }
+    let promise = &object["certificate"]["promise"];
+    let promise = Promise {
+        min_angle: min_angle(promise["min_angle"].as_f64()?)?,
+        region: match promise["region"].as_str()? {
+            "domain" => Region::Domain,
+            "hull" => Region::Hull,
+            _ => return None,
+        },
+        excuse: match promise["excuse"].as_str()? {
+            "measured" => Excuse::Measured,
+            "midpoints" => Excuse::Midpoints,
+            _ => return None,
+        },
+        is_plain: promise["plain"].as_bool(),
+    };
+    let scale = match &object["scale"] {
+        Value::Null => Scale::default(),
+        factor => Scale::by(factor.as_f64().filter(|&f| f > 0.0 && f.is_finite())?),
+    };
+    Some(Held { promise, scale })
+}
+
+/// κ̂ from the degrees that it was written as: rounding must neither lift it above the largest nor
+/// make another angle of the default.
+fn min_angle(degrees: f64) -> Option<MinAngle> {
+    if degrees == MinAngle::default().degrees() {
+        return Some(MinAngle::default());
+    }
+    let is_rounded = (degrees - MinAngle::LARGEST_DEGREES).abs() < 1e-12;
+    let degrees = if is_rounded { MinAngle::LARGEST_DEGREES } else { degrees };
+    MinAngle::from_degrees(degrees).ok()
+}
