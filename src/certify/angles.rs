@@ -13,9 +13,10 @@ use std::f64::consts::PI;
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
 use super::exact;
+use super::fault::{Fault, FaultKind};
 use super::outline::{Angle, Outline};
 use super::precision::Floor;
-use super::verdict::{ExcusedAngle, Fault, FaultKind, Judgement};
+use super::verdict::{ExcusedAngle, Judgement};
 use crate::parameters::MinAngle;
 
 /// "Equality occurs: stated relative slack 1e-7" (ALGORITHM §8).

@@ -7,8 +7,9 @@
 use std::cmp::Ordering;
 
 use super::exact;
+use super::fault::{Fault, FaultKind};
 use super::frame::Frame;
-use super::verdict::{Fault, FaultKind, Judgement};
+use super::verdict::Judgement;
 use crate::formats::Mesh;
 
 /// Nothing: no half-edge, no triangle, no segment.

@@ -8,9 +8,10 @@ use std::cmp::Ordering;
 
 use super::complex::{Complex, NONE};
 use super::exact;
+use super::fault::{Fault, FaultKind};
 use super::outline::Outline;
 use super::tags::Tags;
-use super::verdict::{Fault, FaultKind, Judgement};
+use super::verdict::Judgement;
 
 /// A listed edge that is no part of a segment known so far.
 const LISTED: u32 = NONE - 1;

@@ -6,8 +6,9 @@
 
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
+use super::fault::{Fault, FaultKind};
 use super::outline::Outline;
-use super::verdict::{Fault, FaultKind, Judgement};
+use super::verdict::Judgement;
 
 /// Judges what the triangles cover.
 pub(super) fn judge(outline: &Outline, complex: &Complex, chains: &Chains, g1: &mut Judgement) {

@@ -5,9 +5,10 @@ use std::cmp::Ordering;
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
 use super::exact;
+use super::fault::{Fault, FaultKind};
 use super::outline::Outline;
 use super::precision::Floor;
-use super::verdict::{Fault, FaultKind, Judgement};
+use super::verdict::Judgement;
 
 /// G2: an edge that is no piece of a segment is locally Delaunay: the apex on one side is not
 /// strictly inside the circle of the triangle on the other.

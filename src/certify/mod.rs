@@ -23,6 +23,7 @@ mod conformity;
 mod cover;
 mod delaunay;
 mod exact;
+mod fault;
 mod frame;
 mod hull;
 mod outline;
@@ -31,10 +32,12 @@ mod provenance;
 mod shortest;
 mod tags;
 mod verdict;
+mod wording;
 
+pub use fault::{Fault, FaultKind, Numbered};
 pub use verdict::{
-    Apex, Certificate, Corollary2, ExcusedAngle, Fault, FaultKind, Guarantee, Judgement, Kinds,
-    Narrow, NarrowTo, Numbered, Promise, Verdict,
+    Apex, Certificate, Corollary2, ExcusedAngle, Guarantee, Judgement, Kinds, Narrow, NarrowTo,
+    Promise, Verdict,
 };
 
 use angles::{AngleJudgements, Angles, Laid};

@@ -9,10 +9,10 @@ use std::cmp::Ordering;
 
 use super::complex::NONE;
 use super::exact;
+use super::fault::Numbered;
 use super::frame::Frame;
 use super::hull;
 use super::precision::FLOOR;
-use super::verdict::Numbered;
 use crate::formats::{Pslg, Tag};
 use crate::parameters::Region;
 

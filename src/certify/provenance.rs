@@ -2,7 +2,8 @@
 
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
-use super::verdict::{Fault, FaultKind, Judgement, Kinds};
+use super::fault::{Fault, FaultKind};
+use super::verdict::{Judgement, Kinds};
 use crate::formats::Provenance;
 
 /// Why G8 and G9 are not judged.

@@ -10,10 +10,11 @@
 
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
+use super::fault::{Fault, FaultKind};
 use super::outline::{Outline, distance};
 use super::precision::Floor;
 use super::provenance::UNKNOWN;
-use super::verdict::{Corollary2, Fault, FaultKind, Judgement, Promise};
+use super::verdict::{Corollary2, Judgement, Promise};
 use crate::boxes::{Boxes, Rectangle};
 use crate::formats::Provenance;
 

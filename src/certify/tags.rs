@@ -7,8 +7,9 @@ use std::collections::BTreeMap;
 
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
+use super::fault::{Fault, FaultKind};
 use super::outline::Outline;
-use super::verdict::{Fault, FaultKind, Judgement};
+use super::verdict::Judgement;
 use crate::formats::{Group, Tag, groups};
 
 /// The tags of one dimension, in the outline and in the mesh.
