@@ -209,11 +209,11 @@ pub struct Corollary2 {
 /// A small angle that Lemma 7 allows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExcusedAngle {
-    /// The triangle, as index into [`Mesh::triangles`].
+    /// The triangle, as index into [`Mesh::triangles`](crate::formats::Mesh::triangles).
     pub triangle: u32,
     /// The angle, in radians.
     pub angle: f64,
-    /// The edge opposite it, as indices into [`Mesh::points`].
+    /// The edge opposite it, as indices into [`Mesh::points`](crate::formats::Mesh::points).
     pub edge: [u32; 2],
     /// The two segments that the ends of the edge lie inside of.
     pub segments: [Numbered; 2],
