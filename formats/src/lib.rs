@@ -28,4 +28,4 @@ pub mod vtu;
 
 pub use error::{Found, Notice, SyntaxError, Warning};
 pub use mesh::{Data, Mesh, Provenance, Values};
-pub use pslg::{Attribute, Group, Pslg, Region, Source, Tag};
+pub use pslg::{Attribute, Enclosed, Group, Pslg, Region, Source, Tag};

@@ -25,6 +25,8 @@ pub struct Pslg {
     pub segments: Vec<[u32; 2]>,
     /// The boundary tag of each segment; as long as [`Pslg::segments`].
     pub segment_tags: Vec<Tag>,
+    /// Which of the faces that the segments enclose are meshed.
+    pub enclosed: Enclosed,
     /// A seed point in each hole.
     pub holes: Vec<[f64; 2]>,
     /// Regions, each given by a seed point.
@@ -33,6 +35,22 @@ pub struct Pslg {
     pub groups: Vec<Group>,
     /// Where each item stands in the file, for messages.
     pub source: Source,
+}
+
+/// Which of the faces that segments enclose are meshed, before hole seeds take any out.
+///
+/// It does not count where the whole convex hull is meshed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Enclosed {
+    /// All of them, as in Triangle's files.
+    #[default]
+    All,
+    /// By nesting: what lies in a loop is meshed, a loop within it is a hole, a loop within that
+    /// is meshed again. Where faces share borders they are the parts of one whole: all of them
+    /// are meshed, or none.
+    EvenOdd,
+    /// Those that hold the seed of a region.
+    Seeded,
 }
 
 /// A named number that each point carries, e.g. a depth.

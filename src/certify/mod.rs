@@ -26,6 +26,7 @@ mod exact;
 mod fault;
 mod frame;
 mod hull;
+mod nesting;
 mod outline;
 mod precision;
 mod provenance;

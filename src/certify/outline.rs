@@ -12,8 +12,9 @@ use super::exact;
 use super::fault::Numbered;
 use super::frame::Frame;
 use super::hull;
+use super::nesting;
 use super::precision::FLOOR;
-use crate::formats::{Pslg, Tag};
+use crate::formats::{Enclosed, Pslg, Tag};
 use crate::parameters::Region;
 
 /// An outline, understood. Coordinates are judged coordinates.
@@ -83,12 +84,13 @@ impl<'a> Outline<'a> {
         };
         outline.merge_points();
         outline.take_segments();
-        if region == Region::Hull || outline.segments.is_empty() {
+        let hull = region == Region::Hull || outline.segments.is_empty();
+        if hull {
             outline.add_hull();
         }
         outline.sort_spokes();
         let seats = outline.find_faces();
-        outline.choose(&seats);
+        outline.choose(&seats, if hull { Enclosed::All } else { pslg.enclosed });
         outline
     }
 
@@ -175,7 +177,7 @@ impl<'a> Outline<'a> {
     }
 
     /// The point where a half-edge begins.
-    fn origin(&self, h: u32) -> u32 {
+    pub(super) fn origin(&self, h: u32) -> u32 {
         self.segments[h as usize / 2].ends[h as usize % 2]
     }
 
@@ -200,9 +202,8 @@ impl<'a> Outline<'a> {
             let part = part[v as usize] as usize;
             if first[part] == NONE {
                 first[part] = v;
-                let towards_left =
-                    self.spokes(v).iter().rev().find(|&&h| self.rises(h)).or(self.spokes(v).last());
-                outside[part] = towards_left.map_or(NONE, |&h| cycle[h as usize]);
+                let towards_left = self.towards_left(self.spokes(v));
+                outside[part] = towards_left.map_or(NONE, |h| cycle[h as usize]);
             }
         }
         let mut face_of_cycle = vec![NONE; cycles];
@@ -224,6 +225,12 @@ impl<'a> Outline<'a> {
             .map(|f| if f == NONE { 0 } else { f })
             .collect();
         seats
+    }
+
+    /// Of the half-edges that leave the first point of a piece, counter-clockwise, the one that
+    /// sees the outside of the piece on its left.
+    pub(super) fn towards_left(&self, spokes: &[u32]) -> Option<u32> {
+        spokes.iter().rev().find(|&&h| self.rises(h)).or(spokes.last()).copied()
     }
 
     /// Whether a half-edge goes up, or level to the right: the first half of a turn.
@@ -338,11 +345,20 @@ impl<'a> Outline<'a> {
     }
 
     /// Which faces are meshed, and of which region they are.
-    fn choose(&mut self, seats: &[Seat]) {
-        for face in &mut self.faces[1..] {
-            face.meshed = true;
-        }
+    fn choose(&mut self, seats: &[Seat], enclosed: Enclosed) {
         let (holes, regions) = seats.split_at(self.pslg.holes.len());
+        match enclosed {
+            Enclosed::All => self.faces[1..].iter_mut().for_each(|face| face.meshed = true),
+            Enclosed::EvenOdd => {
+                let is_odd = nesting::is_nested_oddly(self);
+                self.faces.iter_mut().zip(is_odd).for_each(|(face, is_odd)| face.meshed = is_odd);
+            }
+            Enclosed::Seeded => {
+                for &face in regions.iter().flatten().filter(|face| **face != 0) {
+                    self.faces[face as usize].meshed = true;
+                }
+            }
+        }
         for &face in holes.iter().flatten().filter(|face| **face != 0) {
             self.faces[face as usize].meshed = false;
         }
@@ -379,6 +395,11 @@ impl<'a> Outline<'a> {
                 .is_some_and(|face| face.meshed),
             spokes => spokes.iter().any(|&h| self.faces[self.face[h as usize] as usize].meshed),
         }
+    }
+
+    /// The distinct points, from left to right (below to above where equal).
+    pub(super) fn points_left_to_right(&self) -> &[u32] {
+        &self.sorted
     }
 
     /// The distinct points, in the order of the file.

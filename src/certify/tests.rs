@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::formats::{Group, Region as RegionSeed};
+use crate::formats::{Enclosed, Group, Region as RegionSeed};
 use crate::parameters::{MinAngle, Region};
 
 /// The outline of a polygon.
@@ -187,6 +187,31 @@ fn points_and_segments_outside_of_the_region_are_left_out() {
     assert_eq!((0..8).filter(|&s| outline.is_meshed(s)).count(), 7);
     assert_eq!(outline.euler_characteristic(), 0);
     assert_eq!(outline.area_and_perimeter().0, 1.0 - 0.0625);
+}
+
+#[test]
+fn what_is_meshed_is_chosen_by_the_outline() {
+    // A square, within it a frame of two squares that touch in a point; a wall beside them.
+    let mut pslg = square();
+    pslg.points.extend([[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.5, 0.375], [0.625, 0.5]]);
+    pslg.segments.extend([[4, 5], [5, 6], [6, 4], [4, 7], [7, 8], [8, 4], [0, 4]]);
+    pslg.segment_tags.extend([0; 7]);
+    let region = |x, y| RegionSeed { seed: [x, y], tag: 1, attribute: 1.0, max_area: None };
+    pslg.regions = vec![region(0.7, 0.5), region(5.0, 5.0)];
+    let area = |enclosed: Enclosed| {
+        let pslg = Pslg { enclosed, ..pslg.clone() };
+        Outline::new(&pslg, Region::Domain, Frame::new(&pslg.points)).area_and_perimeter().0
+    };
+    let (outer, inner) = (0.125, 0.0078125);
+    assert_eq!(area(Enclosed::All), 1.0);
+    assert_eq!(area(Enclosed::EvenOdd), 1.0 - outer + inner);
+    assert_eq!(area(Enclosed::Seeded), outer - inner);
+    // With a wall across it, the inner piece is one hole.
+    pslg.segments.push([5, 7]);
+    pslg.segment_tags.push(0);
+    let walled = Pslg { enclosed: Enclosed::EvenOdd, ..pslg };
+    let outline = Outline::new(&walled, Region::Domain, Frame::new(&walled.points));
+    assert_eq!(outline.area_and_perimeter().0, 1.0 - outer);
 }
 
 #[test]

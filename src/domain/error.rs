@@ -64,6 +64,15 @@ pub enum Error {
         /// Where it is open.
         open_ends: OpenEnds,
     },
+    /// Faces are enclosed, but only those with a region's seed are meshed, and none has one.
+    #[error(
+        "no region's seed lies in any of the {}: nothing is meshed",
+        count_of(*.faces as usize, "face")
+    )]
+    NoFaceHasSeed {
+        /// How many faces the segments enclose.
+        faces: u32,
+    },
     /// The holes take everything out.
     #[error(
         "the holes leave nothing to mesh{open_ends}{}",

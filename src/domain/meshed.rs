@@ -1,12 +1,14 @@
-//! Which faces are meshed, and what region each belongs to: every bounded face without a hole
-//! seed, as in Triangle.
+//! Which faces are meshed, and what region each belongs to: the bounded faces that the outline's
+//! [`Enclosed`] tells, but for those with a hole seed.
 
 use super::conflicts::IN_FULL;
 use super::error::{Error, Item, Kind, OpenEnd, OpenEnds, Warning};
 use super::faces::{Faces, OUTSIDE};
+use super::nesting::nested_oddly;
 use super::sweep::{Linework, Located, Place};
 use crate::Pslg;
 use crate::boxes::{Boxes, Rectangle};
+use crate::formats::Enclosed;
 
 /// A clean linework, what lies where in it, and what it was made from.
 pub struct Clean<'a> {
@@ -20,6 +22,8 @@ pub struct Clean<'a> {
     pub input_points: &'a [u32],
     /// The input segment that each segment is.
     pub input_segments: &'a [u32],
+    /// Which bounded faces are meshed, but for the holes.
+    pub enclosed: Enclosed,
 }
 
 /// What is meshed.
@@ -41,23 +45,43 @@ impl Clean<'_> {
     /// A seed on a point or a segment; no face that is left.
     pub fn meshed(&self, warnings: &mut Vec<Warning>) -> Result<Meshed, Error> {
         let mut faces = Faces::new(&self.linework, &self.located);
-        for face in OUTSIDE + 1..faces.count() {
-            faces.set_meshed(face, true);
-        }
+        self.take_enclosed(&mut faces)?;
         let holes = self.take_holes_out(&mut faces, warnings)?;
         let regions = self.set_regions(&mut faces, warnings)?;
         if !(0..faces.count()).any(|face| faces.is_meshed(face)) {
             let open_ends = self.open_ends();
-            return Err(if holes.is_empty() {
-                Error::EnclosesNothing { open_ends }
-            } else {
+            return Err(if !holes.is_empty() {
                 let holes = holes.iter().map(|&hole| self.item(Kind::Hole, hole)).collect();
                 Error::HolesLeaveNothing { holes, open_ends }
+            } else if faces.count() > OUTSIDE + 1 {
+                Error::NoFaceHasSeed { faces: faces.count() - OUTSIDE - 1 }
+            } else {
+                Error::EnclosesNothing { open_ends }
             });
         }
         let points = self.points_in(&faces);
         self.report_left_out(&faces, &points, warnings);
         Ok(Meshed { faces, holes, regions, points })
+    }
+
+    /// Sets the faces that are meshed but for the holes.
+    fn take_enclosed(&self, faces: &mut Faces) -> Result<(), Error> {
+        match self.enclosed {
+            Enclosed::All => {
+                (OUTSIDE + 1..faces.count()).for_each(|face| faces.set_meshed(face, true));
+            }
+            Enclosed::EvenOdd => {
+                let is_odd = nested_oddly(&self.linework, faces);
+                (0..).zip(is_odd).for_each(|(face, is_odd)| faces.set_meshed(face, is_odd));
+            }
+            Enclosed::Seeded => {
+                for region in 0..self.pslg.regions.len() as u32 {
+                    let face = self.face_of(faces, Kind::Region, region)?;
+                    faces.set_meshed(face, face != OUTSIDE);
+                }
+            }
+        }
+        Ok(())
     }
 
     fn take_holes_out(

@@ -11,6 +11,7 @@ mod hull;
 mod item;
 mod merge;
 mod meshed;
+mod nesting;
 mod precision;
 mod range;
 mod status;
@@ -28,6 +29,7 @@ pub use error::{Error, Item, Kind, LimitedApex, OpenEnd, OpenEnds, Warning};
 pub use faces::{Faces, OUTSIDE};
 pub use precision::PrecisionLimit;
 
+use crate::formats::Enclosed;
 use crate::vector::Vector;
 use crate::{Pslg, Region};
 use conflicts::Dirty;
@@ -161,6 +163,7 @@ impl Domain {
             located,
             input_points: &input_points,
             input_segments: &input_segments,
+            enclosed: if hull { Enclosed::All } else { pslg.enclosed },
         };
         let Meshed { faces, holes, regions, points: meshed_points } =
             clean.meshed(&mut warnings)?;

@@ -226,6 +226,49 @@ fn faces_know_their_regions_and_whether_they_are_meshed() {
     assert_eq!(domain.area(), 0.75);
 }
 
+/// The area of what is meshed of the frame (its hole seed taken away) with more segments.
+fn area(segments: &[[u32; 2]], enclosed: Enclosed) -> f64 {
+    let pslg = Pslg { enclosed, holes: Vec::new(), ..frame(segments) };
+    Domain::new(&pslg, Region::Domain).expect("clean").0.area()
+}
+
+#[test]
+fn a_loop_in_a_loop_is_a_hole_where_holes_are_by_nesting() {
+    let inner = [[4, 5], [5, 6], [6, 7], [7, 4]];
+    assert_eq!(area(&inner, Enclosed::All), 1.0);
+    assert_eq!(area(&inner, Enclosed::EvenOdd), 0.75);
+    // A bridge between the loops changes nothing.
+    assert_eq!(area(&[&inner[..], &[[0, 4]]].concat(), Enclosed::EvenOdd), 0.75);
+}
+
+#[test]
+fn a_loop_that_touches_the_one_around_it_is_a_hole_of_it() {
+    assert_eq!(area(&[[0, 5], [5, 7], [7, 0]], Enclosed::EvenOdd), 0.75);
+}
+
+#[test]
+fn faces_that_share_borders_are_meshed_together() {
+    let inner = [[4, 5], [5, 6], [6, 7], [7, 4]];
+    // A ring of four rooms around a fifth: walls on all four diagonals.
+    let walls = [[0, 4], [1, 5], [2, 6], [3, 7]];
+    assert_eq!(area(&[inner, walls].concat(), Enclosed::EvenOdd), 1.0);
+    // A wall across the inner loop makes it a hole of two rooms.
+    assert_eq!(area(&[&inner[..], &[[4, 6]]].concat(), Enclosed::EvenOdd), 0.75);
+}
+
+#[test]
+fn only_faces_with_a_region_seed_are_meshed_where_that_is_asked() {
+    let mut pslg = frame(&[[4, 5], [5, 6], [6, 7], [7, 4]]);
+    pslg.holes.clear();
+    pslg.enclosed = Enclosed::Seeded;
+    assert_eq!(message(&pslg), "no region's seed lies in any of the 2 faces: nothing is meshed");
+    let region =
+        |x: f64| crate::formats::Region { seed: [x, 0.5], tag: 7, attribute: 7.0, max_area: None };
+    pslg.regions = vec![region(0.5), region(9.0)];
+    assert_eq!(Domain::new(&pslg, Region::Domain).expect("clean").0.area(), 0.25);
+    assert_eq!(Domain::new(&pslg, Region::Hull).expect("clean").0.area(), 1.0);
+}
+
 #[test]
 fn what_is_given_twice_is_merged_and_said() {
     let mut pslg = square_and(&[[-0.0, 1.0]], &[[2, 1], [4, 4], [4, 0]]);
