@@ -1,24 +1,42 @@
 //! Exterior and holes out, regions in.
 
+use crate::Region;
 use crate::corners::{next, previous};
 use crate::domain::{Domain, OUTSIDE};
 use crate::triangulation::initial::Initial;
-use crate::triangulation::{Edge, Triangle, Triangulation};
+use crate::triangulation::{Edge, OUTSIDE_THE_REGION, Triangle, Triangulation};
 
 /// The part of the initial triangulation that is meshed (ALGORITHM §7): the triangles of meshed
-/// faces. Their region is 0, or `i + 1` for the domain's region `i`.
+/// faces. Their region is 0, or `i + 1` for the domain's region `i`. Where the domain is refined
+/// within the whole hull the others stay, [`OUTSIDE_THE_REGION`].
 #[must_use]
 pub fn carve(initial: Initial, domain: &Domain) -> Triangulation {
     let faces = faces_of_triangles(&initial, domain);
-    let kept: Vec<usize> =
-        (0..faces.len()).filter(|&slot| domain.faces.is_meshed(faces[slot])).collect();
-    let triangles = renumbered(&initial.triangles, &kept);
-    let regions: Vec<u32> = kept
-        .iter()
-        .map(|&slot| domain.faces.region(faces[slot]).map_or(0, |region| region + 1))
-        .collect();
+    let region = |&face: &u32| match domain.faces.region(face) {
+        _ if !domain.faces.is_meshed(face) => OUTSIDE_THE_REGION,
+        None => 0,
+        Some(region) => region + 1,
+    };
+    let regions = faces.iter().map(region).collect();
+    if domain.region == Region::Global {
+        return Triangulation::new(initial.points, initial.triangles, regions);
+    }
+    meshed(initial.points, &initial.triangles, &regions)
+}
+
+/// Takes out what is not meshed.
+#[must_use]
+pub fn without_the_outside(whole: Triangulation) -> Triangulation {
+    meshed(whole.points, &whole.triangles, &whole.regions)
+}
+
+fn meshed(points: Vec<[f64; 2]>, triangles: &[Triangle], regions: &[u32]) -> Triangulation {
+    let is_kept = |&slot: &usize| regions[slot] != OUTSIDE_THE_REGION;
+    let kept: Vec<usize> = (0..triangles.len()).filter(is_kept).collect();
+    let regions: Vec<u32> = kept.iter().map(|&slot| regions[slot]).collect();
     let any_region = regions.iter().any(|&region| region != 0);
-    Triangulation::new(initial.points, triangles, if any_region { regions } else { Vec::new() })
+    let regions = if any_region { regions } else { Vec::new() };
+    Triangulation::new(points, renumbered(triangles, &kept), regions)
 }
 
 /// The face of the domain that each triangle lies in: floods from the sides of every segment and

@@ -28,6 +28,27 @@ pub struct Parameters {
     pub rule: Rule,
     /// What is meshed.
     pub region: Region,
+    /// Whether points and segments are introduced one by one ([`refine::incremental`]) instead of
+    /// all at once.
+    ///
+    /// [`refine::incremental`]: crate::refine::incremental
+    pub incremental: bool,
+}
+
+impl Parameters {
+    /// The rules of the paper (§§3, 10): splitting on concentric shells, midpoints excused,
+    /// circumcenters, worst angle first, in the whole convex hull (the paper's box, where the
+    /// outline has one).
+    #[must_use]
+    pub fn paper() -> Self {
+        Self {
+            splitting: Splitting::Shells,
+            excuse: Excuse::Midpoints,
+            steiner: Steiner::Circumcenter,
+            region: Region::Hull,
+            ..Self::default()
+        }
+    }
 }
 
 impl Default for Parameters {
@@ -42,6 +63,7 @@ impl Default for Parameters {
             steiner: Steiner::default(),
             rule: Rule::default(),
             region: Region::default(),
+            incremental: false,
         }
     }
 }
@@ -185,4 +207,8 @@ pub enum Region {
     Domain,
     /// The whole convex hull, less the holes.
     Hull,
+    /// What [`Region::Domain`] meshes, but within a triangulation of the whole convex hull: what
+    /// lies around takes part in encroachment, is never refined for its angles, and is taken out at
+    /// the end. So the mesh is Delaunay with respect to all its vertices.
+    Global,
 }

@@ -1,18 +1,20 @@
 //! From an outline to a mesh: the whole way through.
 
 use std::fmt;
+use std::mem;
 use std::ops::ControlFlow;
 
 use crate::assemble::assemble;
-use crate::carve::carve;
+use crate::carve::{carve, without_the_outside};
 use crate::certify::{Certificate, Promise, certify};
 use crate::domain::{self, Domain};
+use crate::refine::incremental::Introduction;
 use crate::refine::segments::Segments;
 use crate::refine::sizing::Sizing;
 use crate::refine::trace::{Event, Listener, Names};
 use crate::refine::{End, Progress, Refinement, refine};
 use crate::triangulation::initial::{self, triangulate};
-use crate::{Mesh, Parameters, Pslg};
+use crate::{Mesh, Parameters, Pslg, Region};
 
 /// What a run makes.
 #[derive(Debug, Clone)]
@@ -37,6 +39,9 @@ pub struct Outcome {
     ///
     /// [`Rule::Ruppert`]: crate::Rule::Ruppert
     pub refused_at: Vec<u32>,
+    /// With [`Parameters::incremental`]: points and segments in the order in which they were
+    /// introduced, by the outline's indices.
+    pub introduced: Vec<Introduction>,
 }
 
 /// An angle that misses the soft target.
@@ -194,14 +199,20 @@ fn run(
     if end == End::Cancelled {
         return Err(Error::Cancelled);
     }
-    let mesh = assemble(&refinement, &kept, &domain_points, &domain, pslg);
     let input = |&v: &u32| domain.input_points[domain_points[v as usize] as usize];
+    let refused_at = refinement.stalled_at().iter().map(input).collect();
+    if domain.region == Region::Global {
+        refinement.mesh = without_the_outside(mem::take(&mut refinement.mesh));
+    }
+    let mesh = assemble(&refinement, &kept, &domain_points, &domain, pslg);
     let missed = refinement.missed();
+    let introductions = refinement.introductions().iter();
     Ok(Outcome {
         missed: missed
             .map(|(triangle, angle)| Missed { triangle, radians: angle.radians() })
             .collect(),
-        refused_at: refinement.stalled_at().iter().map(input).collect(),
+        refused_at,
+        introduced: introductions.map(|&it| names.introduction(it)).collect(),
         certificate: certify(pslg, &mesh, &Promise::from(parameters)),
         mesh,
         smallest_input_angle: InputAngle::smallest(&domain),

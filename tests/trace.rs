@@ -37,7 +37,7 @@ fn outlines() -> Vec<(&'static str, Pslg)> {
 }
 
 /// Ours, and each other rule; some of them would go on for long on some outline.
-fn variants() -> [Parameters; 5] {
+fn variants() -> [Parameters; 7] {
     let ours = Parameters { max_points: 3_000, ..Parameters::default() };
     [
         ours,
@@ -45,6 +45,8 @@ fn variants() -> [Parameters; 5] {
         Parameters { splitting: Splitting::Shells, steiner: Steiner::Circumcenter, ..ours },
         Parameters { splitting: Splitting::Augment, rule: Rule::Terminator, ..ours },
         Parameters { rule: Rule::Ruppert, ..ours },
+        Parameters { incremental: true, ..ours },
+        Parameters { incremental: true, splitting: Splitting::Augment, ..ours },
     ]
 }
 

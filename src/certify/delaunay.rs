@@ -1,6 +1,7 @@
 //! G2 and G3: what the circles are empty of, exactly. And what a solver has of it: G10.
 
 use std::cmp::Ordering;
+use std::ops::ControlFlow;
 
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
@@ -9,6 +10,7 @@ use super::fault::{Fault, FaultKind};
 use super::outline::Outline;
 use super::precision::Floor;
 use super::verdict::Judgement;
+use crate::boxes::{Boxes, Rectangle};
 
 /// G2: an edge that is no piece of a segment is locally Delaunay: the apex on one side is not
 /// strictly inside the circle of the triangle on the other.
@@ -50,6 +52,50 @@ pub(super) fn judge_discs(
         }
         g3.add_unless(floor.covers(&complex.triangles[h as usize / 3]), fault);
     }
+}
+
+/// G3 where the mesh is Delaunay with respect to all its vertices (§7, `global`): none of them, seen
+/// or not, is strictly inside the diametral disc of a piece of a segment. With G2 the triangles'
+/// circles are empty of all vertices then.
+pub(super) fn judge_discs_of_all(
+    outline: Option<&Outline>,
+    complex: &Complex,
+    chains: &Chains,
+    floor: &Floor,
+    g3: &mut Judgement,
+) {
+    let used = (0..complex.points.len() as u32).filter(|&v| complex.used[v as usize]);
+    let (vertices, boxes): (Vec<u32>, Vec<Rectangle>) =
+        used.map(|v| (v, Rectangle::around(complex.at(v), complex.at(v)))).unzip();
+    let tree = Boxes::new(&boxes);
+    for h in 0..complex.twin.len() as u32 {
+        let twin = complex.twin[h as usize];
+        if !chains.is_subsegment(h) || (twin != NONE && h > twin) {
+            continue;
+        }
+        let [a, b] = complex.edge(h);
+        let [p, q] = [complex.at(a), complex.at(b)];
+        let seen = [h, twin].map(|half| if half == NONE { NONE } else { complex.apex(half) });
+        let _ = tree.overlapping(&around_disc(p, q), |found| {
+            let v = vertices[found as usize];
+            if seen.contains(&v) || exact::diametral(p, q, complex.at(v)) != Ordering::Less {
+                return ControlFlow::<()>::Continue(());
+            }
+            let mut fault = Fault::at_edge(complex.mesh, FaultKind::Encroached, [a, b]).of_point(v);
+            if let (Some(outline), Some(s)) = (outline, chains.segment(h)) {
+                fault = fault.of_segment(outline.segment_name(s));
+            }
+            g3.add_unless(floor.covers(&[a, b, v]), fault);
+            ControlFlow::Continue(())
+        });
+    }
+}
+
+/// A rectangle around the diametral disc of an edge, a little larger.
+fn around_disc([px, py]: [f64; 2], [qx, qy]: [f64; 2]) -> Rectangle {
+    let radius = 0.5 * libm::hypot(qx - px, qy - py) * (1.0 + 1e-9);
+    let middle = [0.5 * px + 0.5 * qx, 0.5 * py + 0.5 * qy];
+    Rectangle { low: middle.map(|c| c - radius), high: middle.map(|c| c + radius) }
 }
 
 /// G10: the P1 stiffness matrix of −∇·(k∇u), k > 0 constant in each region, is an M-matrix, and the

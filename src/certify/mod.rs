@@ -49,6 +49,7 @@ use outline::Outline;
 use precision::Floor;
 
 use crate::formats::{Mesh, Pslg};
+use crate::parameters::Region;
 
 /// Judges a mesh against the outline that it is a mesh of.
 ///
@@ -83,7 +84,10 @@ use crate::formats::{Mesh, Pslg};
 /// ```
 #[must_use]
 pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
-    let frame = Frame::new(&pslg.points).with_output(&mesh.points);
+    let mut frame = Frame::new(&pslg.points);
+    if promise.region != Region::Global {
+        frame = frame.with_output(&mesh.points);
+    }
     let outline = Outline::new(pslg, promise.region, frame);
     let [mut g1, mut g2, mut g3, mut g4, mut g5, mut g6, mut g7, mut g8, mut g9, mut g10] =
         Guarantee::ALL.map(Judgement::new);
@@ -96,6 +100,9 @@ pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
     let floor = Floor::new(&outline, &complex, &chains);
     delaunay::judge_edges(&complex, &chains, &mut g2);
     delaunay::judge_discs(Some(&outline), &complex, &chains, &floor, &mut g3);
+    if promise.region == Region::Global {
+        delaunay::judge_discs_of_all(Some(&outline), &complex, &chains, &floor, &mut g3);
+    }
 
     let theta_star = outline.smallest_angle();
     let laid = Laid { outline: &outline, theta_star };
@@ -136,6 +143,9 @@ pub fn certify_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
     let floor = Floor::none(&complex);
     delaunay::judge_edges(&complex, &chains, &mut g2);
     delaunay::judge_discs(None, &complex, &chains, &floor, &mut g3);
+    if promise.region == Region::Global {
+        delaunay::judge_discs_of_all(None, &complex, &chains, &floor, &mut g3);
+    }
 
     let judgements = AngleJudgements { g5: &mut g5, g6: &mut g6, g7: &mut g7 };
     let angles = angles::judge(&complex, &chains, None, &floor, promise.min_angle, judgements);

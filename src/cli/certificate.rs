@@ -4,13 +4,14 @@
 use std::fs;
 use std::path::Path;
 
+use meshwright::MinAngle;
 use meshwright::certify::Promise;
-use meshwright::{Excuse, MinAngle, Region};
 use serde_json::Value;
 
 use super::failure::Failure;
 use super::json::VERSION;
 use super::options::Scale;
+use super::words::{self, EXCUSES, REGIONS};
 
 /// What `check` takes from a certificate file.
 pub struct Held {
@@ -38,16 +39,8 @@ fn held(object: &Value) -> Option<Held> {
     let promise = &object["certificate"]["promise"];
     let promise = Promise {
         min_angle: min_angle(promise["min_angle"].as_f64()?)?,
-        region: match promise["region"].as_str()? {
-            "domain" => Region::Domain,
-            "hull" => Region::Hull,
-            _ => return None,
-        },
-        excuse: match promise["excuse"].as_str()? {
-            "measured" => Excuse::Measured,
-            "midpoints" => Excuse::Midpoints,
-            _ => return None,
-        },
+        region: words::value(&REGIONS, promise["region"].as_str()?)?,
+        excuse: words::value(&EXCUSES, promise["excuse"].as_str()?)?,
         is_plain: promise["plain"].as_bool(),
     };
     let scale = match &object["scale"] {

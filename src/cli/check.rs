@@ -32,7 +32,7 @@ pub struct Arguments {
     scale: Scale,
     /// Take what the mesh is held to from this file, which `mesh --certificate` wrote.
     #[arg(long, value_name = "FILE.json",
-          conflicts_with_all = ["min_angle", "no_guarantee", "region", "excuse", "scale"])]
+          conflicts_with_all = ["profile", "min_angle", "no_guarantee", "region", "excuse", "scale"])]
     certificate: Option<PathBuf>,
     /// Print the verdict as JSON.
     #[arg(long)]
@@ -51,7 +51,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     };
     let Held { promise, scale } = match &arguments.certificate {
         Some(path) => certificate::read(path)?,
-        None => Held { promise: arguments.promise.promise()?.0, scale: arguments.scale },
+        None => Held { promise: arguments.promise.promise()?, scale: arguments.scale },
     };
     let certificate = match &arguments.input {
         Some(path) => {

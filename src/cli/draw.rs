@@ -11,11 +11,12 @@ use meshwright::formats::{Mesh, Pslg};
 use super::failure::{Exit, Failure};
 use super::format::Format;
 use super::input::{self, Content};
-use super::options::{PromiseOptions, Scale, one_of, zoom_box};
+use super::options::{PromiseOptions, Scale, zoom_box};
 use super::output::{Pending, STDOUT, Written, check_places};
 use super::trace::{self, Film};
 use super::voice::Voice;
 use super::wording::bytes;
+use super::words::one_of;
 
 /// More faults of one kind than this are not marked.
 const MOST_MARKS: usize = 40;
@@ -78,7 +79,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     }
     check_places(std::slice::from_ref(&arguments.output), &drawn.files)?;
 
-    let (promise, _) = arguments.promise.promise()?;
+    let promise = arguments.promise.promise()?;
     let marks = match (&mut drawn.content, outline) {
         (Content::Outline(_), Some(_)) => {
             return Err(Failure::usage("--input goes with a mesh; the file holds an outline"));

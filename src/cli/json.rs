@@ -7,8 +7,9 @@ use meshwright::certify::{Certificate, Fault, Judgement, NarrowTo, Promise, Verd
 use meshwright::domain::{self, Angle, ClosestPair, Domain, Feature};
 use meshwright::formats::Pslg;
 use meshwright::refine::End;
+use meshwright::refine::incremental::{self, Introduction};
 use meshwright::statistics::{GroupCount, Statistics};
-use meshwright::{Excuse, MinAngle, Missed, Outcome, Parameters, Region, Rule, Splitting, Steiner};
+use meshwright::{MinAngle, Missed, Outcome, Parameters};
 use serde_json::{Map, Value, json};
 
 use super::failure::Exit;
@@ -16,6 +17,7 @@ use super::format::Format;
 use super::info::OutlineFacts;
 use super::input::Input;
 use super::output::Written;
+use super::words::{EXCUSES, REGIONS, RULES, SPLITTINGS, STEINERS, word};
 
 /// The version of these objects: it changes when a reader of them would have to change.
 pub const VERSION: u32 = 1;
@@ -75,6 +77,7 @@ pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
         ("stopped", json!(outcome.end == End::PointBudget)),
         ("refused", json!(outcome.refused)),
         ("missed", outcome.missed.iter().map(missed).collect()),
+        ("introduced", outcome.introduced.iter().map(|it| introduction(it, pslg)).collect()),
         ("warnings", json!(report.warnings)),
         ("outputs", report.written.iter().map(output).collect()),
         ("exit", json!(report.exit as u8)),
@@ -103,6 +106,23 @@ pub fn certificate_file(
     finished(object)
 }
 
+/// A feature that came into the mesh, by its number: `segment` is null for a point, and for an edge
+/// of the convex hull that the outline lacks.
+pub fn introduced(introduction: &Introduction, pslg: &Pslg) -> Value {
+    let (point, segment) = match introduction.feature {
+        incremental::Feature::Point(point) => (Some(pslg.source.point_number(point)), None),
+        incremental::Feature::Segment(u32::MAX) => (None, None),
+        incremental::Feature::Segment(segment) => (None, Some(pslg.source.segment_number(segment))),
+    };
+    json!({ "point": point, "segment": segment })
+}
+
+fn introduction(introduction: &Introduction, pslg: &Pslg) -> Value {
+    let mut object = introduced(introduction, pslg);
+    object["early"] = introduction.called_by.is_some().into();
+    object
+}
+
 fn missed(missed: &Missed) -> Value {
     json!({ "triangle": missed.triangle, "angle": missed.radians.to_degrees() })
 }
@@ -114,20 +134,10 @@ pub fn parameters(parameters: &Parameters) -> Value {
         "soft_angle": parameters.soft_angle.map(MinAngle::degrees),
         "max_area": parameters.max_area,
         "max_points": parameters.max_points,
-        "splitting": match parameters.splitting {
-            Splitting::Ladder => "ladder",
-            Splitting::Shells => "shells",
-            Splitting::Augment => "augment",
-        },
-        "steiner": match parameters.steiner {
-            Steiner::OffCenter => "off-center",
-            Steiner::Circumcenter => "circumcenter",
-        },
-        "rule": match parameters.rule {
-            Rule::Adaptive => "adaptive",
-            Rule::Ruppert => "ruppert",
-            Rule::Terminator => "terminator",
-        },
+        "splitting": word(&SPLITTINGS, &parameters.splitting),
+        "steiner": word(&STEINERS, &parameters.steiner),
+        "rule": word(&RULES, &parameters.rule),
+        "incremental": parameters.incremental,
     });
     if let (Value::Object(object), Value::Object(more)) = (&mut object, more) {
         object.extend(more);
@@ -315,14 +325,8 @@ fn certificate(certificate: &Certificate) -> Value {
 fn promise(promise: &Promise) -> Value {
     json!({
         "min_angle": promise.min_angle.degrees(),
-        "region": match promise.region {
-            Region::Domain => "domain",
-            Region::Hull => "hull",
-        },
-        "excuse": match promise.excuse {
-            Excuse::Measured => "measured",
-            Excuse::Midpoints => "midpoints",
-        },
+        "region": word(&REGIONS, &promise.region),
+        "excuse": word(&EXCUSES, &promise.excuse),
         "plain": promise.is_plain,
     })
 }

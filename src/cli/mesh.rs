@@ -10,7 +10,7 @@ use meshwright::domain;
 use meshwright::formats::groups::Note;
 use meshwright::formats::{Mesh, Pslg, edge, ele, gltf, msh, neigh, node, poly, vtu};
 use meshwright::refine::End;
-use meshwright::{Error, Outcome, Rule, Warning, mesh_with};
+use meshwright::{Error, Outcome, Parameters, Rule, Warning, mesh_with};
 
 use super::failure::{Exit, Failure};
 use super::format::{Format, listed};
@@ -90,7 +90,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     tell_incomplete(&arguments.outputs(&formats), voice);
     summary.say_written(&written, voice);
 
-    let exit = verdict(&outcome, &pslg, arguments, voice);
+    let exit = verdict(&outcome, &pslg, &parameters, arguments.strict, voice);
     if arguments.json {
         print(&json::mesh_run(&MeshReport {
             input: &input,
@@ -293,16 +293,17 @@ pub fn failure(error: Error) -> Failure {
 fn verdict(
     outcome: &Outcome,
     pslg: &Pslg,
-    arguments: &Arguments,
+    parameters: &Parameters,
+    strict: bool,
     voice: &Voice,
 ) -> Result<Exit, Failure> {
     if outcome.end == End::PointBudget {
-        let budget = count(arguments.refine.max_points as usize, "point");
+        let budget = count(parameters.max_points, "point");
         return Err(Failure::promise(format!(
             "the run stopped at {budget} (--max-points): the mesh is complete, its angles are not"
         )));
     }
-    if arguments.refine.rule == Rule::Ruppert && outcome.refused > 0 {
+    if parameters.rule == Rule::Ruppert && outcome.refused > 0 {
         return Err(Failure::promise(format!(
             "Ruppert's rule does not end {}: it stopped where doubles end",
             near_points(&outcome.refused_at, pslg)
@@ -314,7 +315,7 @@ fn verdict(
     }
     match voice.warnings().len() {
         0 => Ok(Exit::Done),
-        n if arguments.strict => {
+        n if strict => {
             Err(Failure::promise(format!("{}, and --strict allows none", count(n, "warning"))))
         }
         _ => Ok(Exit::Done),

@@ -19,6 +19,7 @@ mod trace;
 mod triangle;
 mod voice;
 mod wording;
+mod words;
 
 use clap::{Parser, Subcommand};
 

@@ -1,16 +1,20 @@
 //! Options that several commands share, and how their values are read.
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use meshwright::certify::Promise;
 use meshwright::formats::Pslg;
-use meshwright::{Excuse, MinAngle, MinAngleError, Region};
+use meshwright::{Excuse, MinAngle, MinAngleError, Parameters, Region};
 
 use super::failure::Failure;
+use super::words::{EXCUSES, PROFILES, Profile, REGIONS, one_of};
 
 /// What the mesh is held to: the same options, with the same defaults, for `mesh` and `check`.
 #[derive(Debug, Args)]
 pub struct PromiseOptions {
+    /// What the other options start from: our rules, or the paper's (shells, midpoints,
+    /// circumcenters, the whole convex hull).
+    #[arg(long, default_value = "default", value_parser = one_of(PROFILES))]
+    profile: Profile,
     /// The smallest angle where the outline allows it: promised up to 26.452 [default: 26.45], from
     /// there to 34 a target that is reached but for a few angles, which are listed.
     #[arg(long, value_name = "DEG", value_parser = number, allow_negative_numbers = true)]
@@ -18,34 +22,45 @@ pub struct PromiseOptions {
     /// Take a --min-angle above 34: it may cost any number of points, up to --max-points.
     #[arg(long)]
     no_guarantee: bool,
-    /// What is meshed: what the segments enclose less the holes, or the whole convex hull.
-    #[arg(long, default_value = "domain", value_parser = one_of([
-        ("domain", Region::Domain), ("hull", Region::Hull),
-    ]))]
-    region: Region,
-    /// When a smaller angle is excused: by its measure, or between midpoints only.
-    #[arg(long, default_value = "measured", value_parser = one_of([
-        ("measured", Excuse::Measured), ("midpoints", Excuse::Midpoints),
-    ]))]
-    excuse: Excuse,
+    /// What is meshed: what the segments enclose less the holes (domain, global: triangulated
+    /// alone, or with what is around it), or the whole convex hull [default: domain].
+    #[arg(long, value_parser = one_of(REGIONS))]
+    region: Option<Region>,
+    /// When a smaller angle is excused: by its measure, or between midpoints only [default:
+    /// measured].
+    #[arg(long, value_parser = one_of(EXCUSES))]
+    excuse: Option<Excuse>,
 }
 
 impl PromiseOptions {
-    /// The promise that these options stand for, and the soft target above it.
-    pub fn promise(&self) -> Result<(Promise, Option<MinAngle>), Failure> {
-        let (min_angle, soft) = self.angles().map_err(|error| {
+    /// The parameters that these options stand for.
+    pub fn parameters(&self) -> Result<Parameters, Failure> {
+        let base = self.profile.parameters();
+        let (min_angle, soft_angle) = self.angles(&base).map_err(|error| {
             let failure = Failure::usage(format!("--min-angle: {error}"));
             if self.no_guarantee {
                 return failure;
             }
             failure.with_help("--no-guarantee takes up to 60°, within --max-points")
         })?;
-        Ok((Promise { min_angle, region: self.region, excuse: self.excuse, is_plain: None }, soft))
+        Ok(Parameters {
+            min_angle,
+            soft_angle,
+            region: self.region.unwrap_or(base.region),
+            excuse: self.excuse.unwrap_or(base.excuse),
+            ..base
+        })
     }
 
-    fn angles(&self) -> Result<(MinAngle, Option<MinAngle>), MinAngleError> {
+    /// The promise that these options stand for.
+    pub fn promise(&self) -> Result<Promise, Failure> {
+        let Parameters { min_angle, region, excuse, .. } = self.parameters()?;
+        Ok(Promise { min_angle, region, excuse, is_plain: None })
+    }
+
+    fn angles(&self, base: &Parameters) -> Result<(MinAngle, Option<MinAngle>), MinAngleError> {
         match self.min_angle {
-            None => Ok((MinAngle::default(), None)),
+            None => Ok((base.min_angle, base.soft_angle)),
             Some(degrees) if degrees <= MinAngle::LARGEST_DEGREES => {
                 Ok((MinAngle::from_degrees(degrees)?, None))
             }
@@ -55,7 +70,7 @@ impl PromiseOptions {
                 } else {
                     MinAngle::soft_from_degrees(degrees)?
                 };
-                Ok((MinAngle::default(), Some(soft)))
+                Ok((base.min_angle, Some(soft)))
             }
         }
     }
@@ -92,17 +107,6 @@ impl Scale {
             region.max_area = region.max_area.map(|area| area * factor * factor);
         }
     }
-}
-
-/// One of a few words, each with its value.
-pub fn one_of<T: Clone + Send + Sync + 'static, const N: usize>(
-    choices: [(&'static str, T); N],
-) -> impl TypedValueParser<Value = T> {
-    let words = PossibleValuesParser::new(choices.each_ref().map(|(word, _)| *word));
-    words.map(move |word| {
-        let chosen = choices.iter().find(|(choice, _)| *choice == word);
-        chosen.expect("the parser lets only the choices through").1.clone()
-    })
 }
 
 /// A finite number greater than zero.

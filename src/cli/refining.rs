@@ -4,7 +4,8 @@ use clap::Args;
 use meshwright::{Parameters, Rule, Splitting, Steiner};
 
 use super::failure::Failure;
-use super::options::{PromiseOptions, one_of, positive};
+use super::options::{PromiseOptions, positive};
+use super::words::{RULES, SPLITTINGS, STEINERS, one_of};
 
 /// What the mesh is held to, and the rules by which it is made.
 #[derive(Debug, Args)]
@@ -17,41 +18,35 @@ pub struct RefineOptions {
     /// Stop at this many points.
     #[arg(long, value_name = "N", default_value = "10000000",
           value_parser = clap::value_parser!(u32).range(3..))]
-    pub max_points: u32,
-    /// Where segments are split: at dyadic distances all the way out, or on shells as in the
-    /// paper.
-    #[arg(long, default_value = "ladder", value_parser = one_of([
-        ("ladder", Splitting::Ladder), ("shells", Splitting::Shells),
-        ("augment", Splitting::Augment),
-    ]))]
-    splitting: Splitting,
-    /// Where the point goes that removes a bad triangle.
-    #[arg(long, default_value = "off-center", value_parser = one_of([
-        ("off-center", Steiner::OffCenter), ("circumcenter", Steiner::Circumcenter),
-    ]))]
-    steiner: Steiner,
-    /// Which small angles are attacked: all but the excused ones, or all.
-    #[arg(long, default_value = "adaptive", value_parser = one_of([
-        ("adaptive", Rule::Adaptive), ("ruppert", Rule::Ruppert),
-        ("terminator", Rule::Terminator),
-    ]))]
-    pub rule: Rule,
+    max_points: u32,
+    /// Where segments are split: at dyadic distances all the way out, on shells as in the paper,
+    /// or at points put there before [default: ladder].
+    #[arg(long, alias = "split", value_parser = one_of(SPLITTINGS))]
+    splitting: Option<Splitting>,
+    /// Where the point goes that removes a bad triangle [default: off-center].
+    #[arg(long, value_parser = one_of(STEINERS))]
+    steiner: Option<Steiner>,
+    /// Which small angles are attacked: all but the excused ones, or all [default: adaptive].
+    #[arg(long, value_parser = one_of(RULES))]
+    rule: Option<Rule>,
+    /// Introduce points and segments one by one, each into a mesh that is finished but for what is
+    /// still to come.
+    #[arg(long)]
+    incremental: bool,
 }
 
 impl RefineOptions {
     /// The parameters that these options stand for.
     pub fn parameters(&self) -> Result<Parameters, Failure> {
-        let (promise, soft_angle) = self.promise.promise()?;
+        let base = self.promise.parameters()?;
         Ok(Parameters {
-            min_angle: promise.min_angle,
-            soft_angle,
             max_area: self.max_area,
             max_points: self.max_points as usize,
-            splitting: self.splitting,
-            excuse: promise.excuse,
-            steiner: self.steiner,
-            rule: self.rule,
-            region: promise.region,
+            splitting: self.splitting.unwrap_or(base.splitting),
+            steiner: self.steiner.unwrap_or(base.steiner),
+            rule: self.rule.unwrap_or(base.rule),
+            incremental: self.incremental,
+            ..base
         })
     }
 }

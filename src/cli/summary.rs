@@ -61,6 +61,9 @@ impl<'a> Summary<'a> {
                 missed.iter().for_each(|missed| say(voice, "", &missed_text(missed)));
             }
         }
+        if !self.outcome.introduced.is_empty() {
+            say(voice, "order", &self.order());
+        }
         say(voice, "groups", &groups_text(&statistics.groups, "edge"));
         self.say_certificate(voice);
     }
@@ -132,6 +135,17 @@ impl<'a> Summary<'a> {
                 angle(least)
             ),
         }
+    }
+
+    /// `518 points and segments introduced one by one, 31 before their turn`
+    fn order(&self) -> String {
+        let introduced = &self.outcome.introduced;
+        let early = introduced.iter().filter(|it| it.called_by.is_some()).count();
+        format!(
+            "{} introduced one by one, {} before their turn",
+            count(introduced.len(), "feature"),
+            grouped(early as u64)
+        )
     }
 
     fn say_certificate(&self, voice: &Voice) {

@@ -68,8 +68,9 @@ pub struct Domain {
     /// ulp(M): the distance between doubles at M, the largest coordinate of what is meshed in
     /// magnitude; scaled.
     pub ulp: f64,
-    /// Whether the whole convex hull is meshed: asked for, or there is no segment at all.
-    pub hull: bool,
+    /// What is meshed: the whole convex hull where that is asked for, or there is no segment at
+    /// all.
+    pub region: Region,
     /// For each point, the segments that end there, counter-clockwise from straight down: those
     /// of point `p` are `adjoining[adjoining_start[p]..adjoining_start[p + 1]]`.
     pub adjoining_start: Vec<u32>,
@@ -122,8 +123,8 @@ impl Domain {
         if segments.is_empty() {
             warnings.push(Warning::NoSegments);
         }
-        let hull = region == Region::Hull || segments.is_empty();
-        if hull {
+        let region = if segments.is_empty() { Region::Hull } else { region };
+        if region == Region::Hull {
             let closest = 2.0 * precision::floor(&points);
             if hull::is_line(&hull_edges, &points, closest) {
                 return Err(Error::Collinear { points: points.len() });
@@ -178,7 +179,11 @@ impl Domain {
             }
         });
         let regions = regions.collect();
-        let ulp = precision::ulp(&points, &meshed_points);
+        let ulp = match region {
+            // What is not meshed takes part in the refinement.
+            Region::Global => precision::ulp(&points, &vec![true; points.len()]),
+            _ => precision::ulp(&points, &meshed_points),
+        };
         let domain = Self {
             points,
             input_points,
@@ -191,7 +196,7 @@ impl Domain {
             regions,
             scale_exponent,
             ulp,
-            hull,
+            region,
             adjoining_start,
             adjoining,
             features: OnceLock::new(),

@@ -8,6 +8,7 @@ use std::f64::consts::FRAC_PI_3;
 
 use super::adjoining::other_end;
 use super::{Angle, Domain};
+use crate::Region;
 
 /// The floor φ in units of ulp(M).
 const FLOOR: f64 = 4096.0;
@@ -46,7 +47,7 @@ impl Domain {
     #[must_use]
     pub fn precision_limits(&self) -> Vec<PrecisionLimit> {
         let limit = |apex| {
-            let angle = self.smallest_meshed_angle_at(apex)?;
+            let angle = self.smallest_refined_angle_at(apex)?;
             let reach = reach(angle.radians, self.ulp);
             (reach > 0.25 * self.shortest_at(apex))
                 .then(|| PrecisionLimit { angle, reach: libm::scalbn(reach, self.scale_exponent) })
@@ -55,16 +56,17 @@ impl Domain {
     }
 
     /// The distance from a point (scaled) within which no angle is promised; 0 where the point has
-    /// no meshed angle of at most 60°.
+    /// no refined angle of at most 60°.
     #[must_use]
     pub fn reach(&self, apex: u32) -> f64 {
-        self.smallest_meshed_angle_at(apex).map_or(0.0, |angle| reach(angle.radians, self.ulp))
+        self.smallest_refined_angle_at(apex).map_or(0.0, |angle| reach(angle.radians, self.ulp))
     }
 
-    /// The smallest angle of at most 60° at a point.
-    fn smallest_meshed_angle_at(&self, apex: u32) -> Option<Angle> {
+    /// The smallest angle of at most 60° at a point, of those that take part.
+    fn smallest_refined_angle_at(&self, apex: u32) -> Option<Angle> {
         self.angles_at(apex)
-            .filter(|angle| angle.is_meshed && angle.radians <= FRAC_PI_3)
+            .filter(|angle| angle.is_meshed || self.region == Region::Global)
+            .filter(|angle| angle.radians <= FRAC_PI_3)
             .reduce(|least, next| if next.radians < least.radians { next } else { least })
     }
 

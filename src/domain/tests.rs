@@ -289,7 +289,7 @@ fn points_alone_mean_their_convex_hull_split_at_every_point_on_it() {
     let (domain, warnings) = Domain::new(&file(&points, &[]), Region::Domain).expect("clean");
     assert_eq!(warnings, [Warning::NoSegments]);
     assert_eq!(domain.segments.len(), 5);
-    assert!(domain.hull && domain.meshed_points.iter().all(|&is_in| is_in));
+    assert!(domain.region == Region::Hull && domain.meshed_points.iter().all(|&is_in| is_in));
     assert_eq!(domain.area(), 1.0);
 }
 

@@ -33,12 +33,18 @@ impl Refinement<'_> {
         ControlFlow::Continue(())
     }
 
-    fn queue_if_encroached(&mut self, edge: Edge) {
+    pub(super) fn queue_if_encroached(&mut self, edge: Edge) {
         let apex = self.mesh.apex(edge);
         let ends = self.mesh.ends(edge);
-        if self.is_encroached(ends, apex) {
+        if self.is_to_conform(ends) && self.is_encroached(ends, apex) {
             self.pending.push_back((ends, Cause::Encroached(apex)));
         }
+    }
+
+    /// Whether a subsegment is one of a segment that has been introduced.
+    fn is_to_conform(&self, ends: [u32; 2]) -> bool {
+        self.introduced.is_none()
+            || self.segment_of(ends).is_some_and(|segment| self.is_introduced(segment))
     }
 
     /// Whether the committed vertex `p` encroaches the subsegment between `ends`.
@@ -149,11 +155,10 @@ impl Refinement<'_> {
 
     /// After a split: the subsegments around the new point that it encroaches, and its own two
     /// halves where an apex encroaches them.
-    fn queue_encroached_by_star(&mut self) {
+    pub(super) fn queue_encroached_by_star(&mut self) {
         let vertex = self.mesh.points.len() as u32 - 1;
-        for i in 0..self.cavity.boundary.len() {
-            let side = self.cavity.boundary[i];
-            if side.behind.is_constrained() && self.is_encroached(side.ends, vertex) {
+        for side in self.cavity.subsegments() {
+            if self.is_to_conform(side.ends) && self.is_encroached(side.ends, vertex) {
                 self.pending.push_back((side.ends, Cause::Encroached(vertex)));
             }
         }

@@ -10,6 +10,7 @@
 //! | splitting on dyadic ladders (ours) | [`ladder`] |
 //! | points, midpoints, circumcenters, §3 | [`provenance`] |
 //! | any further trigger (ours) | [`sizing`], [`soft`] |
+//! | features one by one, §3 | [`incremental`] |
 //! | the Terminator, for comparison (§1) | [`terminator`] |
 //! | what is done, step by step | [`trace`] |
 //!
@@ -18,6 +19,7 @@
 mod augment;
 pub mod conformality;
 pub mod excuse;
+pub mod incremental;
 pub mod ladder;
 pub mod piece;
 pub mod provenance;
@@ -39,6 +41,7 @@ use crate::constructions::Angle;
 use crate::domain::Domain;
 use crate::parameters::{MinAngle, Parameters, Rule, Splitting, Steiner};
 use crate::triangulation::{Cavity, Triangulation};
+use incremental::{Introduced, Introduction};
 use provenance::Provenances;
 use quality::Trigger;
 use queue::{Entry, Order, Queue};
@@ -75,6 +78,8 @@ pub struct Refinement<'a> {
     queue: Queue,
     pending: VecDeque<([u32; 2], Cause)>,
     cavity: Cavity,
+    /// With [`Parameters::incremental`]: what the mesh may know of so far.
+    introduced: Option<Introduced>,
 }
 
 /// Where doubles end (ALGORITHM §§2, 9).
@@ -187,6 +192,7 @@ impl<'a> Refinement<'a> {
             queue: Queue::default(),
             pending: VecDeque::new(),
             cavity: Cavity::default(),
+            introduced: parameters.incremental.then(|| Introduced::none_of(domain)),
         }
     }
 
@@ -194,6 +200,9 @@ impl<'a> Refinement<'a> {
     fn run(&mut self, tell: &mut dyn FnMut(Progress) -> ControlFlow<()>) -> Flow {
         let mut watch = Watch { tell, next: 0 };
         self.tell_start();
+        if self.parameters.incremental {
+            return self.introduce_one_by_one(&mut watch);
+        }
         if self.parameters.splitting == Splitting::Augment {
             self.augment()?;
         }
@@ -203,9 +212,15 @@ impl<'a> Refinement<'a> {
             for slot in tile {
                 self.queue_if_bad(slot);
             }
-            while let Some(entry) = self.queue.pop() {
-                self.improve(entry, &mut watch)?;
-            }
+            self.improve_all(&mut watch)?;
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// (Quality′) until no bad triangle waits.
+    fn improve_all(&mut self, watch: &mut Watch) -> Flow {
+        while let Some(entry) = self.queue.pop() {
+            self.improve(entry, watch)?;
         }
         ControlFlow::Continue(())
     }
@@ -225,15 +240,20 @@ impl<'a> Refinement<'a> {
     fn queue_if_bad(&mut self, slot: u32) {
         if let Some(trigger) = self.trigger(slot) {
             let sine = trigger.angle.sine();
-            let newest = self.mesh.triangles[slot as usize].vertices[0];
-            self.queue
-                .push(self.order.bucket(trigger.squared, sine * sine), Entry { slot, newest });
+            let vertices = self.mesh.triangles[slot as usize].vertices;
+            let entry = Entry { slot, newest: vertices[0] };
+            if !self.introduced.as_mut().is_some_and(|those| those.lets_wait(entry, vertices)) {
+                self.queue.push(self.order.bucket(trigger.squared, sine * sine), entry);
+            }
         }
     }
 
     /// Why a triangle is bad, if it is: an angle below κ̂, or below the soft target where that may
     /// be attacked, that is not excused; or its size.
     fn trigger(&self, slot: u32) -> Option<Trigger> {
+        if self.mesh.is_outside_the_region(slot) {
+            return None;
+        }
         let corners = self.mesh.corners(slot);
         let allowed = |found: &Trigger| {
             self.parameters.soft_angle.is_none()
@@ -251,6 +271,12 @@ impl<'a> Refinement<'a> {
         let vertices = self.mesh.triangles[slot as usize].vertices;
         let excused = |edge: usize, angle| self.is_excused(vertices, edge, angle);
         quality::trigger(self.mesh.corners(slot), self.target(), excused)
+    }
+
+    /// The features in the order in which they were introduced; empty unless one by one.
+    #[must_use]
+    pub fn introductions(&self) -> &[Introduction] {
+        self.introduced.as_ref().map_or(&[], |introduced| &introduced.order)
     }
 
     /// The angle asked for: the soft target, or κ̂ where there is none.
@@ -302,6 +328,12 @@ impl<'a> Refinement<'a> {
         let proposer = Proposer { vertices, trigger, point };
         if let Err(rejected) = self.cavity.of_steiner_point(&self.mesh, point, entry.slot) {
             self.refuse(entry, proposer, rejected.into());
+            return ControlFlow::Continue(());
+        }
+        if self.introduced.is_some() && self.calls_segments(proposer, watch)? {
+            if self.is_still_there(entry) {
+                self.queue_if_bad(entry.slot);
+            }
             return ControlFlow::Continue(());
         }
         let encroached: Vec<[u32; 2]> =
@@ -392,6 +424,9 @@ impl<'a> Refinement<'a> {
         for i in 0..self.cavity.boundary.len() {
             let [a, b] = self.cavity.boundary[i].seen;
             let slot = self.cavity.star[i];
+            if self.mesh.is_outside_the_region(slot) {
+                continue;
+            }
             let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
             if quality::may_be_small(a, b, self.target())
                 || self.sizing.may_be_too_large(a, b, region)

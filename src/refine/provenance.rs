@@ -48,6 +48,12 @@ impl Provenances {
         Self { places: vec![0; inputs], segment_points: Vec::new(), inputs: inputs as u32 }
     }
 
+    /// How many vertices are points of the domain: the first ones.
+    #[must_use]
+    pub fn inputs(&self) -> u32 {
+        self.inputs
+    }
+
     /// Notes a committed Steiner point.
     pub fn push_steiner_point(&mut self) {
         self.places.push(0);

@@ -4,7 +4,7 @@
 //! counter-clockwise. Nothing changes before [`Triangulation::commit`]: whether the point would
 //! encroach a subsegment, or must not be committed at all, is read off the boundary.
 
-use super::{Edge, Triangulation};
+use super::{Edge, OUTSIDE_THE_REGION, Triangulation};
 use crate::corners::{next, previous};
 use crate::predicates::{self, Relative};
 
@@ -205,17 +205,26 @@ impl Cavity {
         if visible { Ok(()) } else { Err(Rejected::Unseen) }
     }
 
+    /// The subsegments on the boundary.
+    pub fn subsegments(&self) -> impl Iterator<Item = &BoundaryEdge> + '_ {
+        let sides = self.boundary.iter().enumerate();
+        let subsegments = sides.filter(|(i, side)| {
+            // With nothing on either side it is an edge of the hull only.
+            let is_open = || side.behind.is_outside() && self.region(*i) == OUTSIDE_THE_REGION;
+            side.behind.is_constrained() && !is_open()
+        });
+        subsegments.map(|(_, side)| side)
+    }
+
     /// The subsegments on the boundary that the point encroaches.
     pub fn encroached<'a>(
         &'a self,
         mesh: &'a Triangulation,
     ) -> impl Iterator<Item = &'a BoundaryEdge> + 'a {
         let point = self.point;
-        self.boundary.iter().filter(move |side| {
-            side.behind.is_constrained() && {
-                let ends = side.ends.map(|v| mesh.points[v as usize]);
-                predicates::encroaches(side.seen, ends, point)
-            }
+        self.subsegments().filter(move |side| {
+            let ends = side.ends.map(|v| mesh.points[v as usize]);
+            predicates::encroaches(side.seen, ends, point)
         })
     }
 

@@ -89,6 +89,9 @@ pub struct Triangulation {
     anchors: Anchors,
 }
 
+/// The region of a triangle that is not meshed: it only takes part, until it is taken out.
+pub const OUTSIDE_THE_REGION: u32 = u32::MAX;
+
 impl Triangulation {
     /// A triangulation of `points` by triangles that are linked already.
     #[must_use]
@@ -96,6 +99,13 @@ impl Triangulation {
         let mut made = Self { points, triangles, regions, anchors: Anchors::default() };
         made.anchors = Anchors::of(&made);
         made
+    }
+
+    /// Whether a triangle is not meshed, but there all the same.
+    #[inline]
+    #[must_use]
+    pub fn is_outside_the_region(&self, triangle: u32) -> bool {
+        self.regions.get(triangle as usize) == Some(&OUTSIDE_THE_REGION)
     }
 
     /// The coordinates of a triangle's vertices.
@@ -127,11 +137,16 @@ impl Triangulation {
         self.triangles[edge.triangle() as usize].vertices[edge.index()]
     }
 
-    /// Every constrained edge, once for each triangle that has it, by slots.
+    /// Every subsegment, once for each triangle that has it, by slots.
     pub fn constrained_edges(&self) -> impl Iterator<Item = Edge> + '_ {
-        self.triangles.iter().enumerate().flat_map(|(slot, triangle)| {
+        self.triangles.iter().enumerate().flat_map(move |(slot, triangle)| {
             (0..3)
-                .filter(|&i| triangle.neighbors[i].is_constrained())
+                .filter(move |&i| {
+                    let behind = triangle.neighbors[i];
+                    // With nothing on either side it is an edge of the hull only.
+                    let is_open = || behind.is_outside() && self.is_outside_the_region(slot as u32);
+                    behind.is_constrained() && !is_open()
+                })
                 .map(move |i| Edge::new(slot as u32, i).constrained_if(true))
         })
     }

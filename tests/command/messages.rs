@@ -49,7 +49,7 @@ fn wrong_values_are_refused_with_the_reason() {
         ("--excuse none", "[possible values: measured, midpoints]"),
         ("--steiner centroid", "[possible values: off-center, circumcenter]"),
         ("--rule chew", "[possible values: adaptive, ruppert, terminator]"),
-        ("--region box", "[possible values: domain, hull]"),
+        ("--region box", "[possible values: domain, hull, global]"),
         ("--no-such-flag", "unexpected argument '--no-such-flag'"),
         ("-q -v", "cannot be used with"),
         ("-o square.png", "square.png: its name does not tell the format of a mesh"),

@@ -3,28 +3,30 @@
 use meshwright::Parameters;
 use meshwright::formats::{Provenance, Pslg};
 use meshwright::refine::End;
+use meshwright::refine::incremental::Introduction;
 use meshwright::refine::trace::{
     BadTriangle, Cause, Event, Fault, Made, Refusal, Start, Subsegment,
 };
 use serde_json::{Map, Value, json};
 
-use crate::cli::json::parameters;
+use crate::cli::json::{introduced, parameters};
+use crate::cli::words::word;
 
 /// The version of these objects: it changes when a reader of them would have to change.
 const VERSION: u32 = 1;
 
 /// The words for why a point is not committed.
-pub const REFUSALS: [(Refusal, &str); 5] = [
-    (Refusal::Floor, "floor"),
-    (Refusal::OutsideItsDisc, "outside its disc"),
-    (Refusal::Unseen, "unseen"),
-    (Refusal::Malformed, "malformed"),
-    (Refusal::AllSplitsRefused, "all splits refused"),
+pub const REFUSALS: [(&str, Refusal); 5] = [
+    ("floor", Refusal::Floor),
+    ("outside its disc", Refusal::OutsideItsDisc),
+    ("unseen", Refusal::Unseen),
+    ("malformed", Refusal::Malformed),
+    ("all splits refused", Refusal::AllSplitsRefused),
 ];
 
 /// The words for the kinds of split points.
-pub const KINDS: [(Provenance, &str); 2] =
-    [(Provenance::Shell, "shell"), (Provenance::Midpoint, "midpoint")];
+pub const KINDS: [(&str, Provenance); 2] =
+    [("shell", Provenance::Shell), ("midpoint", Provenance::Midpoint)];
 
 /// Makes the lines of one run, in their order.
 pub struct Lines<'a> {
@@ -65,13 +67,14 @@ impl<'a> Lines<'a> {
         };
         put(json!({ "event": name(event), "step": self.steps }));
         match event {
+            Event::Introduced(introduction) => put(self.introduction(introduction)),
             Event::Commit { bad, made } => {
                 put(self.bad(bad));
                 put(self.made(made));
             }
             Event::Split { subsegment, cause, kind, made } => {
                 put(self.subsegment(*subsegment));
-                put(json!({ "cause": self.cause(*cause), "kind": word(&KINDS, *kind) }));
+                put(json!({ "cause": self.cause(*cause), "kind": word(&KINDS, kind) }));
                 put(self.made(made));
             }
             Event::Rejected { bad, point, encroached } => {
@@ -82,11 +85,11 @@ impl<'a> Lines<'a> {
             }
             Event::RefusedSplit { subsegment, cause, refusal } => {
                 put(self.subsegment(*subsegment));
-                put(json!({ "cause": self.cause(*cause), "reason": word(&REFUSALS, *refusal) }));
+                put(json!({ "cause": self.cause(*cause), "reason": word(&REFUSALS, refusal) }));
             }
             Event::RefusedPoint { bad, point, refusal } => {
                 put(self.bad(bad));
-                put(json!({ "place": point, "reason": word(&REFUSALS, *refusal) }));
+                put(json!({ "place": point, "reason": word(&REFUSALS, refusal) }));
             }
             _ => {}
         }
@@ -141,6 +144,13 @@ impl<'a> Lines<'a> {
         json!({ "subsegment": ends.map(|v| self.number(v)), "segment": number })
     }
 
+    fn introduction(&self, introduction: &Introduction) -> Value {
+        let mut object = introduced(introduction, self.pslg);
+        object["called_by"] =
+            introduction.called_by.map(|corners| corners.map(|v| self.number(v))).into();
+        object
+    }
+
     fn made(&self, made: &Made) -> Value {
         json!({
             "point": self.number(made.vertex),
@@ -163,6 +173,7 @@ impl<'a> Lines<'a> {
 
 fn name(event: &Event) -> &'static str {
     match event {
+        Event::Introduced(_) => "introduced",
         Event::Commit { .. } => "commit",
         Event::Split { .. } => "split",
         Event::Rejected { .. } => "rejected",
@@ -170,8 +181,4 @@ fn name(event: &Event) -> &'static str {
         Event::RefusedPoint { .. } => "refused point",
         _ => "other",
     }
-}
-
-fn word<T: PartialEq>(words: &[(T, &'static str)], value: T) -> &'static str {
-    words.iter().find(|(known, _)| *known == value).map_or("other", |&(_, word)| word)
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use meshwright::draw::{self, Highlight, Options, Step};
+use meshwright::refine::incremental::{Feature, Introduction};
 use meshwright::refine::trace::{BadTriangle, Cause, Event, Fault, Made, Refusal, Replay};
 
 use super::read::Reader;
@@ -116,6 +117,14 @@ impl Seen<'_> {
     /// `step 7: midpoint 12 splits segment 3, which point 9 encroaches`
     fn caption(&self, number: usize) -> String {
         let what = match self.event {
+            Event::Introduced(Introduction { feature, called_by }) => {
+                let what = match feature {
+                    Feature::Point(vertex) => format!("point {}", self.number(*vertex)),
+                    Feature::Segment(_) => "a segment".to_string(),
+                };
+                let early = if called_by.is_some() { " before its turn" } else { "" };
+                format!("{what} comes in{early}")
+            }
             Event::Commit { bad, made } => {
                 format!("point {} for {}", self.number(made.vertex), fault(bad))
             }
@@ -144,6 +153,14 @@ impl Seen<'_> {
 
     fn highlights(&self) -> Vec<Highlight> {
         match self.event {
+            Event::Introduced(Introduction { feature, called_by }) => {
+                let point = match feature {
+                    Feature::Point(vertex) => self.replay.point(*vertex).map(Highlight::New),
+                    Feature::Segment(_) => None,
+                };
+                let caller = called_by.and_then(|corners| self.corners(corners));
+                point.into_iter().chain(caller.map(Highlight::Bad)).collect()
+            }
             Event::Commit { bad, made } => {
                 let mut found = self.star(made);
                 found.extend(self.corners(bad.vertices).map(Highlight::Bad));

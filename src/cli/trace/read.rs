@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use meshwright::refine::incremental::{Feature, Introduction};
 use meshwright::refine::trace::{BadTriangle, Cause, Event, Fault, Made, Start, Subsegment};
 use serde_json::Value;
 
 use super::lines::{KINDS, REFUSALS};
+use crate::cli::words::value;
 
 /// Reads the events of a trace, line by line. Vertices and segments count from zero in the order
 /// in which they appear.
@@ -22,6 +24,7 @@ impl Reader {
         let value: Value = serde_json::from_str(line).map_err(|error| error.to_string())?;
         let event = match value["event"].as_str() {
             Some("start") => Event::Start(self.start(&value)?),
+            Some("introduced") => Event::Introduced(self.introduction(&value)?),
             Some("commit") => Event::Commit { bad: self.bad(&value)?, made: self.made(&value)? },
             Some("split") => Event::Split {
                 subsegment: self.subsegment(&value)?,
@@ -99,12 +102,24 @@ impl Reader {
 
     fn subsegment(&mut self, value: &Value) -> Result<Subsegment, String> {
         let ends = self.vertices(&value["subsegment"], "subsegment")?;
-        let next = self.segments.len() as u32;
-        let segment = match value["segment"].as_i64() {
-            Some(number) => *self.segments.entry(number).or_insert(next),
-            None => u32::MAX,
+        Ok(Subsegment { ends, segment: self.segment(&value["segment"]) })
+    }
+
+    fn introduction(&mut self, value: &Value) -> Result<Introduction, String> {
+        let feature = match &value["point"] {
+            Value::Null => Feature::Segment(self.segment(&value["segment"])),
+            number => Feature::Point(self.vertex(number)?),
         };
-        Ok(Subsegment { ends, segment })
+        let called_by = match &value["called_by"] {
+            Value::Null => None,
+            corners => Some(self.vertices(corners, "called_by")?),
+        };
+        Ok(Introduction { feature, called_by })
+    }
+
+    fn segment(&mut self, number: &Value) -> u32 {
+        let next = self.segments.len() as u32;
+        number.as_i64().map_or(u32::MAX, |number| *self.segments.entry(number).or_insert(next))
     }
 
     fn bad(&self, value: &Value) -> Result<BadTriangle, String> {
@@ -149,7 +164,6 @@ fn place(value: &Value) -> Result<[f64; 2], String> {
     }
 }
 
-fn meaning<T: Copy>(words: &[(T, &str)], value: &Value, name: &str) -> Result<T, String> {
-    let found = words.iter().find(|(_, word)| value == word);
-    found.map(|&(meaning, _)| meaning).ok_or_else(|| missing(name))
+fn meaning<T: Copy>(words: &[(&str, T)], word: &Value, name: &str) -> Result<T, String> {
+    word.as_str().and_then(|word| value(words, word)).ok_or_else(|| missing(name))
 }

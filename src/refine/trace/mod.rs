@@ -13,6 +13,7 @@ pub use replay::{Damaged, Replay};
 pub use tell::Listener;
 pub(super) use tell::Proposer;
 
+use super::incremental::Introduction;
 use super::provenance::Kind;
 use crate::triangulation;
 
@@ -27,6 +28,8 @@ use crate::triangulation;
 pub enum Event {
     /// What the refinement begins with: the first event, once.
     Start(Start),
+    /// A point or a segment comes into the mesh, where they do so one by one.
+    Introduced(Introduction),
     /// The Steiner point of a bad triangle is committed.
     Commit {
         /// Why.

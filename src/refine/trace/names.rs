@@ -2,6 +2,7 @@
 
 use super::{BadTriangle, Cause, Event, Fault, Made, Start, Subsegment};
 use crate::domain::Domain;
+use crate::refine::incremental::{Feature, Introduction};
 
 /// How the outline calls what a refinement knows by its own indices and scale.
 #[derive(Debug)]
@@ -22,6 +23,7 @@ impl<'a> Names<'a> {
     pub fn translate(&self, event: Event) -> Event {
         match event {
             Event::Start(start) => Event::Start(self.start(start)),
+            Event::Introduced(introduction) => Event::Introduced(self.introduction(introduction)),
             Event::Commit { bad, made } => {
                 Event::Commit { bad: self.bad(bad), made: self.made(made) }
             }
@@ -76,9 +78,21 @@ impl<'a> Names<'a> {
         point.map(|c| libm::scalbn(c, self.domain.scale_exponent))
     }
 
+    /// The introduction in the outline's terms.
+    pub fn introduction(&self, Introduction { feature, called_by }: Introduction) -> Introduction {
+        let feature = match feature {
+            Feature::Point(vertex) => Feature::Point(self.vertex(vertex)),
+            Feature::Segment(segment) => Feature::Segment(self.segment(segment)),
+        };
+        Introduction { feature, called_by: called_by.map(|corners| self.corners(corners)) }
+    }
+
+    fn segment(&self, segment: u32) -> u32 {
+        self.domain.input_segments.get(segment as usize).copied().unwrap_or(u32::MAX)
+    }
+
     fn subsegment(&self, Subsegment { ends, segment }: Subsegment) -> Subsegment {
-        let input = self.domain.input_segments.get(segment as usize).copied();
-        Subsegment { ends: ends.map(|v| self.vertex(v)), segment: input.unwrap_or(u32::MAX) }
+        Subsegment { ends: ends.map(|v| self.vertex(v)), segment: self.segment(segment) }
     }
 
     fn made(&self, Made { vertex, point, star }: Made) -> Made {

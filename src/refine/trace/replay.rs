@@ -31,9 +31,10 @@ impl Replay {
             Event::Start(start) => self.start(start),
             Event::Commit { made, .. } => self.commit(made, Kind::Circumcenter),
             Event::Split { subsegment, kind, made, .. } => self.split(*subsegment, *kind, made),
-            Event::Rejected { .. } | Event::RefusedSplit { .. } | Event::RefusedPoint { .. } => {
-                Ok(())
-            }
+            Event::Introduced(_)
+            | Event::Rejected { .. }
+            | Event::RefusedSplit { .. }
+            | Event::RefusedPoint { .. } => Ok(()),
         }
     }
 

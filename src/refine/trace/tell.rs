@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::{BadTriangle, Cause, Event, Fault, Made, Refusal, Start, Subsegment};
 use crate::refine::Refinement;
+use crate::refine::incremental::Introduction;
 use crate::refine::quality::Trigger;
 use crate::triangulation::Edge;
 
@@ -58,6 +59,10 @@ impl Refinement<'_> {
 
     pub(in crate::refine) fn tell_start(&mut self) {
         self.tell(|refinement| Event::Start(refinement.start()));
+    }
+
+    pub(in crate::refine) fn tell_introduced(&mut self, introduction: Introduction) {
+        self.tell(|_| Event::Introduced(introduction));
     }
 
     /// After the commit, while the cavity is still that of the new point.

@@ -16,19 +16,20 @@ fn parameters() -> impl Strategy<Value = Parameters> {
     let splitting = prop::sample::select(vec![Splitting::Ladder, Splitting::Shells]);
     let excuse = prop::sample::select(vec![Excuse::Measured, Excuse::Midpoints]);
     let steiner = prop::sample::select(vec![Steiner::OffCenter, Steiner::Circumcenter]);
-    let region = prop::sample::select(vec![Region::Domain, Region::Hull]);
+    let region = prop::sample::select(vec![Region::Domain, Region::Hull, Region::Global]);
     let min_angle = prop_oneof![
         Just(MinAngle::default()),
         (5.0..MinAngle::LARGEST_DEGREES)
             .prop_map(|degrees| MinAngle::from_degrees(degrees).expect("within the range"))
     ];
-    (splitting, excuse, steiner, region, min_angle).prop_map(
-        |(splitting, excuse, steiner, region, min_angle)| Parameters {
+    (splitting, excuse, steiner, region, min_angle, any::<bool>()).prop_map(
+        |(splitting, excuse, steiner, region, min_angle, incremental)| Parameters {
             splitting,
             excuse,
             steiner,
             region,
             min_angle,
+            incremental,
             ..Parameters::default()
         },
     )

@@ -1,22 +1,17 @@
 //! The variants of the algorithm: what each does that the default does not.
 
-use meshwright::certify::{Guarantee, Verdict as Found};
+use meshwright::certify::{Guarantee, Promise, Verdict as Found, certify};
 use meshwright::constructions::Angle;
 use meshwright::formats::Provenance;
-use meshwright::{Excuse, MinAngle, Parameters, Pslg, Region, Rule, Splitting, Steiner, mesh};
+use meshwright::refine::incremental::Feature;
+use meshwright::{MinAngle, Parameters, Pslg, Region, Rule, Splitting, mesh};
 use meshwright_campaigns::families::Family;
 use meshwright_campaigns::figures;
 use meshwright_campaigns::judge::{Verdict, judge};
 
 /// The paper's own rules, with another way of splitting.
 fn paper(splitting: Splitting) -> Parameters {
-    Parameters {
-        splitting,
-        excuse: Excuse::Midpoints,
-        steiner: Steiner::Circumcenter,
-        region: Region::Hull,
-        ..Parameters::default()
-    }
+    Parameters { splitting, ..Parameters::paper() }
 }
 
 /// Outlines of every family, with angles down to 0.01 rad.
@@ -97,6 +92,85 @@ fn the_terminator_ends_with_a_conforming_delaunay_mesh() {
             Guarantee::Conforming,
         ] {
             assert_ne!(certificate.verdict(guarantee), Found::Fails, "{name}: {certificate}");
+        }
+    }
+}
+
+/// The rules under which features may come one by one.
+fn one_by_one() -> [Parameters; 4] {
+    let ours = Parameters { incremental: true, ..Parameters::default() };
+    [
+        ours,
+        Parameters { region: Region::Global, ..ours },
+        Parameters { incremental: true, ..Parameters::paper() },
+        Parameters { incremental: true, ..paper(Splitting::Augment) },
+    ]
+}
+
+#[test]
+fn features_that_come_one_by_one_leave_every_promise_kept() {
+    for (name, outline) in spread() {
+        for parameters in one_by_one() {
+            let judged = judge(&outline, &parameters);
+            assert!(!matches!(judged.verdict, Verdict::Failed(_)), "{name}: {:?}", judged.verdict);
+        }
+    }
+}
+
+#[test]
+fn every_feature_comes_once_and_in_its_turn_unless_it_is_called() {
+    for (name, outline) in spread() {
+        for parameters in one_by_one() {
+            let outcome = mesh(&outline, &parameters).expect("it is clean");
+            let segment = |feature| match feature {
+                Feature::Segment(segment) if segment != u32::MAX => Some(segment),
+                _ => None,
+            };
+            let order = || outcome.introduced.iter().filter(|it| segment(it.feature).is_some());
+            let mut all: Vec<_> = order().filter_map(|it| segment(it.feature)).collect();
+            let in_turn = order().filter(|it| it.called_by.is_none());
+            let in_turn: Vec<_> = in_turn.filter_map(|it| segment(it.feature)).collect();
+            assert!(in_turn.is_sorted(), "{name}: {in_turn:?}");
+            all.sort_unstable();
+            assert!(all.into_iter().eq(0..outline.segments.len() as u32), "{name}");
+        }
+    }
+}
+
+/// Two rooms with a thin gap between them: a vertex of one encroaches the wall of the other, unseen.
+#[test]
+fn global_refinement_sees_through_what_is_not_meshed() {
+    let gap = 0.01;
+    let outline = Pslg {
+        points: vec![
+            [0.0, 0.0],
+            [4.0, 0.0],
+            [4.0, 4.0],
+            [0.0, 4.0],
+            [4.0 + gap, 2.0],
+            [8.0, 0.0],
+            [8.0, 4.0],
+        ],
+        segments: vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 4]],
+        segment_tags: vec![0; 7],
+        ..Pslg::default()
+    };
+    let alone = judge(&outline, &Parameters::default()).well();
+    let global = Parameters { region: Region::Global, ..Parameters::default() };
+    let promise = Promise::from(&global);
+    let held = certify(&outline, &alone.mesh, &promise);
+    assert_eq!(held.verdict(Guarantee::Unencroached), Found::Fails, "{held}");
+    let together = judge(&outline, &global).well();
+    assert!(together.mesh.points.len() > alone.mesh.points.len());
+    assert!(certify(&outline, &together.mesh, &promise).holds());
+}
+
+#[test]
+fn global_refinement_keeps_every_promise() {
+    for (name, outline) in spread() {
+        for base in [Parameters::default(), paper(Splitting::Shells)] {
+            let judged = judge(&outline, &Parameters { region: Region::Global, ..base });
+            assert!(!matches!(judged.verdict, Verdict::Failed(_)), "{name}: {:?}", judged.verdict);
         }
     }
 }

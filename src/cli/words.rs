@@ -1,0 +1,55 @@
+//! The words for what may be chosen: in options, in `--json` and in certificate files alike.
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use meshwright::{Excuse, Parameters, Region, Rule, Splitting, Steiner};
+
+/// Everything that may be asked for at once.
+pub const PROFILES: [(&str, Profile); 2] =
+    [("default", Profile(Parameters::default)), ("paper", Profile(Parameters::paper))];
+/// What is meshed.
+pub const REGIONS: [(&str, Region); 3] =
+    [("domain", Region::Domain), ("hull", Region::Hull), ("global", Region::Global)];
+/// When a small angle is left alone.
+pub const EXCUSES: [(&str, Excuse); 2] =
+    [("measured", Excuse::Measured), ("midpoints", Excuse::Midpoints)];
+/// Where segments are split.
+pub const SPLITTINGS: [(&str, Splitting); 3] =
+    [("ladder", Splitting::Ladder), ("shells", Splitting::Shells), ("augment", Splitting::Augment)];
+/// Where the point goes that removes a bad triangle.
+pub const STEINERS: [(&str, Steiner); 2] =
+    [("off-center", Steiner::OffCenter), ("circumcenter", Steiner::Circumcenter)];
+/// Which small angles are attacked.
+pub const RULES: [(&str, Rule); 3] =
+    [("adaptive", Rule::Adaptive), ("ruppert", Rule::Ruppert), ("terminator", Rule::Terminator)];
+
+/// What the other options start from.
+#[derive(Debug, Clone, Copy)]
+pub struct Profile(fn() -> Parameters);
+
+impl Profile {
+    /// The parameters where nothing else is said.
+    pub fn parameters(self) -> Parameters {
+        self.0()
+    }
+}
+
+/// One of a few words, each with its value.
+pub fn one_of<T: Clone + Send + Sync + 'static, const N: usize>(
+    choices: [(&'static str, T); N],
+) -> impl TypedValueParser<Value = T> {
+    let words = PossibleValuesParser::new(choices.each_ref().map(|(word, _)| *word));
+    words.map(move |word| {
+        let chosen = choices.iter().find(|(choice, _)| *choice == word);
+        chosen.expect("the parser lets only the choices through").1.clone()
+    })
+}
+
+/// The word for a value.
+pub fn word<T: PartialEq>(choices: &[(&'static str, T)], value: &T) -> &'static str {
+    choices.iter().find(|(_, choice)| choice == value).map_or("other", |(word, _)| word)
+}
+
+/// The value of a word.
+pub fn value<T: Copy>(choices: &[(&str, T)], word: &str) -> Option<T> {
+    choices.iter().find(|(choice, _)| *choice == word).map(|&(_, value)| value)
+}
