@@ -60,11 +60,13 @@ const STATEMENTS: [&str; 53] = [
 ];
 
 /// Where the code leaves the paper, in the book's order.
-const OURS: [&str; 10] = [
+const OURS: [&str; 12] = [
     "Ladder",
     "Measured excuse",
     "Off-center",
     "Domain-Delaunay",
+    "Global",
+    "Incremental",
     "Precision floor",
     "Soft target",
     "Sizes",

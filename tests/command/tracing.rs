@@ -52,6 +52,8 @@ fn a_trace_is_as_its_schema_says_and_counts_what_the_mesh_holds() {
         "pond.poly",
         "pond.poly --max-area 0.2",
         "pond.poly --splitting augment --rule terminator",
+        "pond.poly --incremental",
+        "pond.poly --profile paper --incremental --split augment",
         "pond.poly --region hull --splitting shells --steiner circumcenter",
         "wedge.poly --rule ruppert --max-points 3000",
     ] {

@@ -45,7 +45,7 @@ fn boxed_outlines() -> impl Iterator<Item = (String, Pslg)> {
 fn outlines_for(parameters: &Parameters) -> Vec<(String, Pslg)> {
     match parameters.region {
         Region::Hull => boxed_outlines().collect(),
-        Region::Domain => outlines().collect(),
+        Region::Domain | Region::Global => outlines().collect(),
     }
 }
 
