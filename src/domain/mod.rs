@@ -164,7 +164,7 @@ impl Domain {
             located,
             input_points: &input_points,
             input_segments: &input_segments,
-            enclosed: if hull { Enclosed::All } else { pslg.enclosed },
+            enclosed: if region == Region::Hull { Enclosed::All } else { pslg.enclosed },
         };
         let Meshed { faces, holes, regions, points: meshed_points } =
             clean.meshed(&mut warnings)?;
