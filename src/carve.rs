@@ -41,7 +41,7 @@ fn meshed(points: Vec<[f64; 2]>, triangles: &[Triangle], regions: &[u32]) -> Tri
 
 /// The face of the domain that each triangle lies in: floods from the sides of every segment and
 /// from the open edges of the hull.
-fn faces_of_triangles(initial: &Initial, domain: &Domain) -> Vec<u32> {
+pub fn faces_of_triangles(initial: &Initial, domain: &Domain) -> Vec<u32> {
     let mut faces = vec![None; initial.triangles.len()];
     for &slot in &initial.open {
         flood(&initial.triangles, slot, OUTSIDE, &mut faces);

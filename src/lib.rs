@@ -52,6 +52,7 @@ mod parameters;
 pub mod predicates;
 pub mod refine;
 mod run;
+mod seeds;
 pub mod statistics;
 pub mod triangulation;
 mod vector;
@@ -60,3 +61,4 @@ pub use parameters::{
     Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,
 };
 pub use run::{Error, InputAngle, Missed, Outcome, Warning, mesh, mesh_with, trace};
+pub use seeds::{SeedsError, meshed_alike, told_by_seeds};

@@ -17,7 +17,7 @@ use std::fmt::{self, Display, Formatter};
 ///   |       ^
 /// help: coordinates are separated by spaces");
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub struct SyntaxError {
     /// The file, as the user named it.
     pub file: Box<str>,
@@ -36,7 +36,8 @@ pub struct SyntaxError {
 }
 
 /// What stands where something else was expected.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Found {
     /// A whole word, from white space to white space.
     Word(String),
@@ -44,6 +45,13 @@ pub enum Found {
     EndOfLine,
     /// Nothing more in this file.
     EndOfFile,
+    /// A vertex that does not lie in the plane of the others.
+    OffPlane {
+        /// Its number in the file.
+        vertex: i64,
+        /// How far it is from there.
+        distance: f64,
+    },
 }
 
 /// Longest word and excerpt that a message shows, in characters.
@@ -55,6 +63,9 @@ impl Display for Found {
         match self {
             Self::EndOfLine => f.write_str("the end of the line"),
             Self::EndOfFile => f.write_str("the end of the file"),
+            Self::OffPlane { vertex, distance } => {
+                write!(f, "vertex {vertex}, which is {distance:.3e} off the plane of the others")
+            }
             Self::Word(word) => {
                 let mut shown: String = word.chars().take(LONGEST_WORD).map(printable).collect();
                 if word.chars().nth(LONGEST_WORD).is_some() {
@@ -189,4 +200,50 @@ pub enum Notice {
         /// The z coordinate of all points.
         z: f64,
     },
+    /// All vertices of an outline in space have nearly the same coordinate along an axis.
+    #[error("all vertices have {axis} = {}; it is dropped", from_to(*.least, *.most))]
+    FlatAxis {
+        /// The axis: `x`, `y` or `z`.
+        axis: char,
+        /// The least coordinate along it.
+        least: f64,
+        /// The greatest.
+        most: f64,
+    },
+    /// The vertices of an outline in space lie in a plane that is tilted to all axes.
+    #[error(
+        "all vertices lie in one plane, tilted to all axes (its normal is {:.6} {:.6} {:.6}); the \
+         outline is drawn in that plane",
+        .normal[0], .normal[1], .normal[2]
+    )]
+    Projected {
+        /// The direction across the plane, of length 1.
+        normal: [f64; 3],
+    },
+    /// Vertices that belong to no polyline.
+    #[error("{vertices} {} by no polyline and left out",
+            if *vertices == 1 { "vertex is used" } else { "vertices are used" })]
+    UnusedVertices {
+        /// How many.
+        vertices: u32,
+    },
+    /// Faces, where only polylines are read.
+    #[error("{faces} {} passed over; --faces takes their outlines",
+            if *faces == 1 { "face is" } else { "faces are" })]
+    SkippedFaces {
+        /// How many.
+        faces: u32,
+    },
+    /// Statements of free-form curves and surfaces, which are not read.
+    #[error("{statements} {} of free-form curves or surfaces passed over",
+            if *statements == 1 { "statement" } else { "statements" })]
+    SkippedCurves {
+        /// How many.
+        statements: u32,
+    },
+}
+
+/// `0.4`, or `-0.000001 to 0.000002`.
+fn from_to(least: f64, most: f64) -> String {
+    if least == most { least.to_string() } else { format!("{least} to {most}") }
 }

@@ -130,6 +130,13 @@ pub enum Note {
     },
     /// Target sizes of points, which the file does not hold.
     SizesDropped,
+    /// What the format has no place for.
+    NotHeld {
+        /// How many there are.
+        count: usize,
+        /// What one of them is: `hole seed`.
+        noun: &'static str,
+    },
 }
 
 impl Note {
@@ -182,6 +189,12 @@ impl Display for Note {
                 write!(f, "the data `{name}` are not written: an attribute is one real number")
             }
             Self::SizesDropped => write!(f, "the target sizes of points are not written"),
+            Self::NotHeld { count: 1, noun } => {
+                write!(f, "1 {noun} is not written: the format has no place for it")
+            }
+            Self::NotHeld { count, noun } => {
+                write!(f, "{count} {noun}s are not written: the format has no place for them")
+            }
         }
     }
 }

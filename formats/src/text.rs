@@ -19,6 +19,8 @@ pub(crate) struct Scanner<'a> {
     line_start: usize,
     /// The byte that starts a comment, if the format has one.
     comment: Option<u8>,
+    /// Whether a `\\` at the end of a line joins the next one to it.
+    is_continued: bool,
 }
 
 /// A whole word.
@@ -31,7 +33,20 @@ pub(crate) struct Word<'a> {
 impl<'a> Scanner<'a> {
     pub fn new(text: &'a [u8], file: &'a str, comment: Option<u8>) -> Self {
         let start = if text.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
-        Self { file, text, position: start, line: 1, line_start: start, comment }
+        Self {
+            file,
+            text,
+            position: start,
+            line: 1,
+            line_start: start,
+            comment,
+            is_continued: false,
+        }
+    }
+
+    /// A scanner of a format in which a `\\` at the end of a line joins the next one to it.
+    pub fn with_continued_lines(text: &'a [u8], file: &'a str, comment: Option<u8>) -> Self {
+        Self { is_continued: true, ..Self::new(text, file, comment) }
     }
 
     pub fn file(&self) -> &'a str {
@@ -62,9 +77,16 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Leaves the rest of the line, which the caller has looked at.
+    /// Leaves the rest of the line, and of those joined to it.
     pub fn leave_line(&mut self) {
         self.skip_to_line_end();
+        while self.is_continued && self.text[..self.position].ends_with(b"\\") {
+            if self.left() == 0 {
+                break;
+            }
+            self.end_line();
+            self.skip_to_line_end();
+        }
     }
 
     /// The next word of this line.
@@ -72,7 +94,7 @@ impl<'a> Scanner<'a> {
         self.skip_blanks();
         let start = self.position;
         while let Some(&byte) = self.text.get(self.position) {
-            if is_white(byte) || Some(byte) == self.comment {
+            if is_white(byte) || Some(byte) == self.comment || self.is_joint() {
                 break;
             }
             self.position += 1;
@@ -91,7 +113,8 @@ impl<'a> Scanner<'a> {
 
     /// The error that the first word of a line read before is not what it should be.
     pub fn unexpected_in_line(&self, line: u32, expected: &'static str) -> SyntaxError {
-        let mut again = Self::new(self.text, self.file, self.comment);
+        let new = Self::new(self.text, self.file, self.comment);
+        let mut again = Self { is_continued: self.is_continued, ..new };
         while again.line < line && again.next_line() {
             again.leave_line();
             again.next_line();
@@ -202,9 +225,23 @@ impl<'a> Scanner<'a> {
     }
 
     fn skip_blanks(&mut self) {
-        while matches!(self.text.get(self.position), Some(b' ' | b'\t' | 0x0b | 0x0c)) {
-            self.position += 1;
+        loop {
+            match self.text.get(self.position) {
+                Some(b' ' | b'\t' | 0x0b | 0x0c) => self.position += 1,
+                Some(b'\\') if self.is_joint() => {
+                    self.position += 1;
+                    self.end_line();
+                }
+                _ => break,
+            }
         }
+    }
+
+    /// Whether the next byte joins the next line to this one.
+    fn is_joint(&self) -> bool {
+        self.is_continued
+            && self.text[self.position] == b'\\'
+            && matches!(self.text.get(self.position + 1), Some(b'\n' | b'\r'))
     }
 
     fn skip_to_line_end(&mut self) {

@@ -10,13 +10,15 @@ use serde_json::Value;
 
 use super::failure::Failure;
 use super::json::VERSION;
-use super::options::Scale;
-use super::words::{self, EXCUSES, REGIONS};
+use super::options::{ReadOptions, Scale};
+use super::words::{self, EXCUSES, HOLES, REGIONS};
 
 /// What `check` takes from a certificate file.
 pub struct Held {
     /// What the mesh was held to.
     pub promise: Promise,
+    /// How the outline was read.
+    pub read: ReadOptions,
     /// By how much the outline's lengths were multiplied.
     pub scale: Scale,
 }
@@ -47,7 +49,15 @@ fn held(object: &Value) -> Option<Held> {
         Value::Null => Scale::default(),
         factor => Scale::by(factor.as_f64().filter(|&f| f > 0.0 && f.is_finite())?),
     };
-    Some(Held { promise, scale })
+    Some(Held { promise, read: read_options(&object["reading"])?, scale })
+}
+
+fn read_options(reading: &Value) -> Option<ReadOptions> {
+    let holes = match &reading["holes"] {
+        Value::Null => None,
+        word => Some(words::value(&HOLES, word.as_str()?)?),
+    };
+    Some(ReadOptions { holes, faces: reading["faces"].as_bool()? })
 }
 
 /// κ̂ from the degrees that it was written as: rounding must neither lift it above the largest nor

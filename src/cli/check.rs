@@ -11,7 +11,7 @@ use super::failure::{Exit, Failure};
 use super::format::{Format, listed};
 use super::input::{self, Content};
 use super::json;
-use super::options::{PromiseOptions, Scale};
+use super::options::{PromiseOptions, ReadOptions, Scale};
 use super::summary::excused_text;
 use super::voice::{Voice, print};
 
@@ -27,12 +27,14 @@ pub struct Arguments {
     #[arg(long, value_name = "FORMAT")]
     from: Option<Format>,
     #[command(flatten)]
+    read: ReadOptions,
+    #[command(flatten)]
     promise: PromiseOptions,
     #[command(flatten)]
     scale: Scale,
     /// Take what the mesh is held to from this file, which `mesh --certificate` wrote.
     #[arg(long, value_name = "FILE.json",
-          conflicts_with_all = ["profile", "min_angle", "no_guarantee", "region", "excuse", "scale"])]
+          conflicts_with_all = ["profile", "min_angle", "no_guarantee", "region", "excuse", "holes", "faces", "scale"])]
     certificate: Option<PathBuf>,
     /// Print the verdict as JSON.
     #[arg(long)]
@@ -41,21 +43,25 @@ pub struct Arguments {
 
 /// Judges.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
-    let read = input::any(&arguments.mesh, arguments.from, voice)?;
-    let Content::Mesh(mesh) = &read.content else {
+    let judged = input::any(&arguments.mesh, arguments.from, ReadOptions::default(), voice)?;
+    let Content::Mesh(mesh) = &judged.content else {
         return Err(Failure::usage(format!(
             "{} holds an outline, where a mesh is wanted ({})",
-            read.name,
+            judged.name,
             listed(Format::meshes_are_read)
         )));
     };
-    let Held { promise, scale } = match &arguments.certificate {
+    let Held { promise, read, scale } = match &arguments.certificate {
         Some(path) => certificate::read(path)?,
-        None => Held { promise: arguments.promise.promise()?, scale: arguments.scale },
+        None => Held {
+            promise: arguments.promise.promise()?,
+            read: arguments.read,
+            scale: arguments.scale,
+        },
     };
     let certificate = match &arguments.input {
         Some(path) => {
-            let (mut pslg, _) = input::outline(path, None, voice)?;
+            let (mut pslg, _) = input::outline(path, None, read, voice)?;
             scale.apply(&mut pslg);
             certify::certify(&pslg, mesh, &promise)
         }
@@ -63,7 +69,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     };
     if arguments.json {
         let statistics = Statistics::of(mesh);
-        print(&json::check(&read, &statistics, &certificate, voice.warnings()))?;
+        print(&json::check(&judged, &statistics, &certificate, voice.warnings()))?;
     } else if !voice.quiet {
         print(certificate.to_string().as_bytes())?;
         if voice.verbose {

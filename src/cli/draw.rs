@@ -11,7 +11,7 @@ use meshwright::formats::{Mesh, Pslg};
 use super::failure::{Exit, Failure};
 use super::format::Format;
 use super::input::{self, Content};
-use super::options::{PromiseOptions, Scale, zoom_box};
+use super::options::{PromiseOptions, ReadOptions, Scale, zoom_box};
 use super::output::{Pending, STDOUT, Written, check_places};
 use super::trace::{self, Film};
 use super::voice::Voice;
@@ -55,6 +55,8 @@ pub struct Arguments {
     #[arg(long)]
     no_legend: bool,
     #[command(flatten)]
+    read: ReadOptions,
+    #[command(flatten)]
     promise: PromiseOptions,
     #[command(flatten)]
     scale: Scale,
@@ -69,9 +71,9 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         return Ok(say_written(&written, voice));
     }
     let file = arguments.file.as_deref().unwrap_or(Path::new(STDOUT));
-    let mut drawn = input::any(file, arguments.from, voice)?;
+    let mut drawn = input::any(file, arguments.from, arguments.read, voice)?;
     let outline = match &arguments.input {
-        Some(path) => Some(input::outline(path, None, voice)?),
+        Some(path) => Some(input::outline(path, None, arguments.read, voice)?),
         None => None,
     };
     if let Some((_, input)) = &outline {

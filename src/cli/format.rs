@@ -9,6 +9,8 @@ pub enum Format {
     Poly,
     /// Triangle's points.
     Node,
+    /// Wavefront's polylines and faces.
+    Obj,
     /// Gmsh's meshes.
     Msh,
     /// VTK's unstructured grids.
@@ -24,12 +26,13 @@ pub enum Format {
 }
 
 impl Format {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 9] = [
         Self::Msh,
         Self::Vtu,
         Self::Glb,
         Self::Poly,
         Self::Node,
+        Self::Obj,
         Self::Ele,
         Self::Edge,
         Self::Neigh,
@@ -50,6 +53,7 @@ impl Format {
         match self {
             Self::Poly => "poly",
             Self::Node => "node",
+            Self::Obj => "obj",
             Self::Msh => "msh",
             Self::Vtu => "vtu",
             Self::Glb => "glb",
@@ -64,6 +68,7 @@ impl Format {
         match self {
             Self::Poly => "Triangle .poly",
             Self::Node => "Triangle .node",
+            Self::Obj => "Wavefront OBJ",
             Self::Msh => "Gmsh 2.2",
             Self::Vtu => "VTK",
             Self::Glb => "glTF",
@@ -75,12 +80,22 @@ impl Format {
 
     /// Whether outlines are read from it.
     pub fn holds_outlines(self) -> bool {
-        matches!(self, Self::Poly | Self::Node)
+        matches!(self, Self::Poly | Self::Node | Self::Obj)
+    }
+
+    /// Whether outlines are written to it.
+    pub fn outlines_are_written(self) -> bool {
+        matches!(self, Self::Poly | Self::Obj)
     }
 
     /// Whether meshes are read from it.
     pub fn meshes_are_read(self) -> bool {
         matches!(self, Self::Msh | Self::Vtu | Self::Ele)
+    }
+
+    /// Whether meshes are written to it.
+    pub fn meshes_are_written(self) -> bool {
+        self != Self::Obj
     }
 }
 

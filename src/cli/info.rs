@@ -12,6 +12,7 @@ use super::failure::{Exit, Failure};
 use super::format::Format;
 use super::input::{self, Content, Input};
 use super::json;
+use super::options::ReadOptions;
 use super::summary::outline_counts;
 use super::voice::{Voice, print};
 use super::wording::{angle, count, grouped, place, significant};
@@ -24,6 +25,8 @@ pub struct Arguments {
     /// The format of the file, where its name does not tell.
     #[arg(long, value_name = "FORMAT")]
     from: Option<Format>,
+    #[command(flatten)]
+    read: ReadOptions,
     /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
@@ -57,7 +60,7 @@ pub struct DomainFacts {
 
 /// Tells. A file that can be read is a success, whatever it holds.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
-    let input = input::any(&arguments.file, arguments.from, voice)?;
+    let input = input::any(&arguments.file, arguments.from, arguments.read, voice)?;
     let text = match &input.content {
         Content::Outline(pslg) => {
             let facts = OutlineFacts::of(pslg);

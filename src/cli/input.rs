@@ -5,10 +5,11 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use flate2::read::MultiGzDecoder;
-use meshwright::formats::{Mesh, Pslg, ele, msh, node, poly, vtu};
+use meshwright::formats::{Mesh, Pslg, Warning, ele, msh, node, obj, poly, vtu};
 
 use super::failure::{Exit, Failure, reason};
 use super::format::{Format, listed};
+use super::options::ReadOptions;
 use super::voice::Voice;
 
 /// What a file holds, and every file that was read for it.
@@ -32,8 +33,13 @@ pub enum Content {
 }
 
 /// Reads an outline.
-pub fn outline(path: &Path, from: Option<Format>, voice: &Voice) -> Result<(Pslg, Input), Failure> {
-    let mut input = any(path, from, voice)?;
+pub fn outline(
+    path: &Path,
+    from: Option<Format>,
+    options: ReadOptions,
+    voice: &Voice,
+) -> Result<(Pslg, Input), Failure> {
+    let mut input = any(path, from, options, voice)?;
     match std::mem::replace(&mut input.content, Content::Mesh(Mesh::default())) {
         Content::Outline(pslg) => Ok((pslg, input)),
         Content::Mesh(_) => Err(Failure::usage(format!(
@@ -45,7 +51,12 @@ pub fn outline(path: &Path, from: Option<Format>, voice: &Voice) -> Result<(Pslg
 }
 
 /// Reads an outline or a mesh, whichever the file's format holds.
-pub fn any(path: &Path, from: Option<Format>, voice: &Voice) -> Result<Input, Failure> {
+pub fn any(
+    path: &Path,
+    from: Option<Format>,
+    options: ReadOptions,
+    voice: &Voice,
+) -> Result<Input, Failure> {
     let format = format_of(path, from)?;
     let stdin = path == Path::new("-");
     let name = path.display().to_string();
@@ -59,28 +70,25 @@ pub fn any(path: &Path, from: Option<Format>, voice: &Voice) -> Result<Input, Fa
         files.push(PathBuf::from(beside));
         uncompressed(fs::read(beside)?)
     };
+    let told = |warnings: Vec<Warning>| warnings.iter().for_each(|warning| voice.warn(warning));
+    let outline = |(mut pslg, warnings)| {
+        told(warnings);
+        options.apply(&mut pslg, voice);
+        Content::Outline(pslg)
+    };
+    let mesh = |(mesh, warnings)| {
+        told(warnings);
+        Content::Mesh(mesh)
+    };
     let content = match format {
-        Format::Poly => {
-            let (pslg, warnings) = poly::read(&bytes, &name, companion).map_err(wrong)?;
-            warnings.iter().for_each(|warning| voice.warn(warning));
-            Content::Outline(pslg)
+        Format::Poly => outline(poly::read(&bytes, &name, companion).map_err(wrong)?),
+        Format::Node => outline(node::read(&bytes, &name).map_err(wrong)?),
+        Format::Obj => {
+            let faces = obj::Options { faces: options.faces };
+            outline(obj::read_with(&bytes, &name, faces).map_err(wrong)?)
         }
-        Format::Node => {
-            let (pslg, warnings) = node::read(&bytes, &name).map_err(wrong)?;
-            warnings.iter().for_each(|warning| voice.warn(warning));
-            Content::Outline(pslg)
-        }
-        Format::Msh => {
-            let (mesh, warnings) = msh::read(&bytes, &name).map_err(wrong)?;
-            warnings.iter().for_each(|warning| voice.warn(warning));
-            Content::Mesh(mesh)
-        }
-        Format::Ele => {
-            let read = ele::read_with_companions(&bytes, &name, companion);
-            let (mesh, warnings) = read.map_err(wrong)?;
-            warnings.iter().for_each(|warning| voice.warn(warning));
-            Content::Mesh(mesh)
-        }
+        Format::Msh => mesh(msh::read(&bytes, &name).map_err(wrong)?),
+        Format::Ele => mesh(ele::read_with_companions(&bytes, &name, companion).map_err(wrong)?),
         Format::Vtu => Content::Mesh(vtu::read(&bytes, &name).map_err(Failure::input)?),
         Format::Glb | Format::Edge | Format::Neigh => {
             unreachable!("`format_of` refuses formats that are not read")

@@ -16,8 +16,9 @@ use super::failure::Exit;
 use super::format::Format;
 use super::info::OutlineFacts;
 use super::input::Input;
+use super::options::{ReadOptions, Scale};
 use super::output::Written;
-use super::words::{EXCUSES, REGIONS, RULES, SPLITTINGS, STEINERS, word};
+use super::words::{EXCUSES, HOLES, REGIONS, RULES, SPLITTINGS, STEINERS, word};
 
 /// The version of these objects: it changes when a reader of them would have to change.
 pub const VERSION: u32 = 1;
@@ -90,14 +91,15 @@ pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
 /// The certificate file of `mesh`: the verdict, and what it was judged by.
 pub fn certificate_file(
     input: &Input,
+    (read, scale): (ReadOptions, Scale),
     parameters: &Parameters,
-    scale: Option<f64>,
     certificate: &Certificate,
 ) -> Vec<u8> {
     let mut object = header("certificate");
     object.extend(file(input));
     for (name, value) in [
-        ("scale", json!(scale)),
+        ("reading", reading(read)),
+        ("scale", json!(scale.factor())),
         ("parameters", self::parameters(parameters)),
         ("certificate", self::certificate(certificate)),
     ] {
@@ -125,6 +127,14 @@ fn introduction(introduction: &Introduction, pslg: &Pslg) -> Value {
 
 fn missed(missed: &Missed) -> Value {
     json!({ "triangle": missed.triangle, "angle": missed.radians.to_degrees() })
+}
+
+/// How an outline was read.
+fn reading(options: ReadOptions) -> Value {
+    json!({
+        "holes": options.holes.map(|holes| word(&HOLES, &holes)),
+        "faces": options.faces,
+    })
 }
 
 /// What was asked of a run.

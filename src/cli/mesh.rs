@@ -1,6 +1,5 @@
 //! `meshwright mesh`: from an outline to certified mesh files.
 
-use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -16,7 +15,8 @@ use super::failure::{Exit, Failure};
 use super::format::{Format, listed};
 use super::input;
 use super::json::{self, MeshReport};
-use super::options::Scale;
+use super::notes::Notes;
+use super::options::{ReadOptions, Scale};
 use super::output::{Pending, STDOUT, Written, check_places};
 use super::progress::ProgressLine;
 use super::refining::RefineOptions;
@@ -24,9 +24,6 @@ use super::summary::Summary;
 use super::triangle::{is_beside, tell_incomplete};
 use super::voice::{Voice, print};
 use super::wording::{count, grouped};
-
-/// More notes of writers than this are counted, not shown, unless asked for.
-const MOST_NOTES: usize = 6;
 
 /// What `mesh` is asked.
 #[derive(Debug, Args)]
@@ -43,6 +40,8 @@ pub struct Arguments {
     /// The format of outputs whose names do not tell.
     #[arg(long, value_name = "FORMAT")]
     to: Option<Format>,
+    #[command(flatten)]
+    read: ReadOptions,
     #[command(flatten)]
     refine: RefineOptions,
     #[command(flatten)]
@@ -66,7 +65,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let formats = arguments.formats()?;
     let parameters = arguments.refine.parameters()?;
-    let (mut pslg, input) = input::outline(&arguments.input, arguments.from, voice)?;
+    let (mut pslg, input) =
+        input::outline(&arguments.input, arguments.from, arguments.read, voice)?;
     let places: Vec<PathBuf> =
         arguments.output.iter().chain(&arguments.certificate).cloned().collect();
     check_places(&places, &input.files)?;
@@ -83,10 +83,10 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
 
     let summary = Summary::new(&pslg, &outcome, parameters.soft_angle);
     summary.say_mesh(&input.name, took, voice);
-    let scale = arguments.scale.factor();
-    let certificate = json::certificate_file(&input, &parameters, scale, &outcome.certificate);
+    let reading = (arguments.read, arguments.scale);
+    let certificate = json::certificate_file(&input, reading, &parameters, &outcome.certificate);
     let (written, notes) = arguments.write(&outcome.mesh, &pslg, &formats, &certificate)?;
-    say_notes(notes, voice);
+    notes.say(voice);
     tell_incomplete(&arguments.outputs(&formats), voice);
     summary.say_written(&written, voice);
 
@@ -120,7 +120,7 @@ impl Arguments {
     }
 
     fn format(&self, output: &Path) -> Result<Format, Failure> {
-        let known = listed(|_| true);
+        let known = listed(Format::meshes_are_written);
         match Format::of(output).or(self.to) {
             Some(_) if output.extension().is_some_and(|end| end.eq_ignore_ascii_case("gz")) => {
                 Err(Failure::usage(format!(
@@ -128,7 +128,15 @@ impl Arguments {
                     output.display()
                 )))
             }
-            Some(format) => Ok(format),
+            Some(format) if format.meshes_are_written() => Ok(format),
+            Some(format) => Err(Failure::usage(format!(
+                "{}: {} holds outlines, no meshes",
+                output.display(),
+                format.name()
+            ))
+            .with_help(format!(
+                "meshes are written to {known}; `meshwright convert` writes outlines"
+            ))),
             None => Err(Failure::usage(format!(
                 "{}: its name does not tell the format of a mesh",
                 output.display()
@@ -198,59 +206,13 @@ impl FileContent<'_> {
             Format::Poly => poly::write_with(mesh, self.poly, &mut out),
             Format::Edge => edge::write(mesh, &mut out),
             Format::Neigh => neigh::write(mesh, &mut out),
+            Format::Obj => unreachable!("`format` refuses formats that hold no meshes"),
         }
     }
 }
 
 /// Written files and their formats.
 type Outputs = Vec<(Written, Format)>;
-
-/// What writers said, each with the files it is about.
-#[derive(Default)]
-struct Notes {
-    texts: Vec<(String, bool)>,
-    files: BTreeMap<String, Vec<String>>,
-}
-
-impl Notes {
-    fn add(&mut self, output: &Path, notes: Vec<Note>) {
-        for note in notes {
-            let text = match &note {
-                Note::SharedNumbers { .. } => format!("{note} (--unique-ids renumbers)"),
-                note => note.to_string(),
-            };
-            let files = self.files.entry(text.clone()).or_default();
-            if files.is_empty() {
-                self.texts.push((text, note.is_warning()));
-            }
-            files.push(output.display().to_string());
-        }
-    }
-}
-
-/// Warnings one by one; what only tells, in one line for the files that it is about.
-fn say_notes(notes: Notes, voice: &Voice) {
-    let mut told: Vec<(String, Vec<String>)> = Vec::new();
-    for (text, is_warning) in notes.texts {
-        let files = notes.files[&text].join(", ");
-        if is_warning {
-            voice.warn(format!("{files}: {text}"));
-            continue;
-        }
-        match told.last_mut().filter(|(same, _)| *same == files) {
-            Some((_, texts)) => texts.push(text),
-            None => told.push((files, vec![text])),
-        }
-    }
-    for (files, mut texts) in told {
-        if texts.len() > MOST_NOTES && !voice.verbose {
-            let more = texts.len() - MOST_NOTES;
-            texts.truncate(MOST_NOTES);
-            texts.push(format!("and {} more (--verbose tells all)", grouped(more as u64)));
-        }
-        voice.note(format!("{files}: {}", texts.join("; ")));
-    }
-}
 
 /// Where doubles end: `the mesh is limited by precision near points 5, 17 and 3 more`.
 fn limit(certificate: &Certificate) -> String {

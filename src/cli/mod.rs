@@ -2,6 +2,7 @@
 
 mod certificate;
 mod check;
+mod convert;
 mod draw;
 mod failure;
 mod format;
@@ -9,6 +10,7 @@ mod info;
 mod input;
 mod json;
 mod mesh;
+mod notes;
 mod options;
 mod output;
 mod progress;
@@ -56,6 +58,8 @@ enum Command {
     Mesh(mesh::Arguments),
     /// Judge any triangle mesh: alone, or against the outline it was made from.
     Check(check::Arguments),
+    /// Write an outline in another format.
+    Convert(convert::Arguments),
     /// Tell what a file holds and whether an outline is ready to mesh.
     Info(info::Arguments),
     /// Draw an outline, a mesh or the steps of a trace as SVG.
@@ -92,6 +96,7 @@ fn run_command(command: &Command, voice: &Voice) -> Result<Exit, Failure> {
     match command {
         Command::Mesh(arguments) => mesh::run(arguments, voice),
         Command::Check(arguments) => check::run(arguments, voice),
+        Command::Convert(arguments) => convert::run(arguments, voice),
         Command::Info(arguments) => info::run(arguments, voice),
         Command::Draw(arguments) => draw::run(arguments, voice),
         Command::Trace(arguments) => trace::run(arguments, voice),

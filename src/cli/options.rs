@@ -2,11 +2,13 @@
 
 use clap::Args;
 use meshwright::certify::Promise;
-use meshwright::formats::Pslg;
+use meshwright::formats::{Enclosed, Pslg};
 use meshwright::{Excuse, MinAngle, MinAngleError, Parameters, Region};
 
 use super::failure::Failure;
-use super::words::{EXCUSES, PROFILES, Profile, REGIONS, one_of};
+use super::voice::Voice;
+use super::wording::count;
+use super::words::{EXCUSES, HOLES, Holes, PROFILES, Profile, REGIONS, one_of};
 
 /// What the mesh is held to: the same options, with the same defaults, for `mesh` and `check`.
 #[derive(Debug, Args)]
@@ -72,6 +74,39 @@ impl PromiseOptions {
                 };
                 Ok((base.min_angle, Some(soft)))
             }
+        }
+    }
+}
+
+/// How an outline is read: the same options for every command that reads one.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Args)]
+pub struct ReadOptions {
+    /// What is a hole: what a seed of the file lies in, a loop within a loop (even-odd), or
+    /// nothing [default: as the format has it: .poly seeds, .obj even-odd].
+    #[arg(long, value_parser = one_of(HOLES))]
+    pub holes: Option<Holes>,
+    /// Take the outlines of faces too (.obj).
+    #[arg(long)]
+    pub faces: bool,
+}
+
+impl ReadOptions {
+    /// The outline with the holes that are asked for.
+    pub fn apply(self, pslg: &mut Pslg, voice: &Voice) {
+        match self.holes {
+            None => return,
+            Some(Holes::Seeds) if pslg.enclosed == Enclosed::EvenOdd => {
+                pslg.enclosed = Enclosed::All;
+            }
+            Some(Holes::Seeds) => {}
+            Some(Holes::EvenOdd) => pslg.enclosed = Enclosed::EvenOdd,
+            Some(Holes::None) => pslg.enclosed = Enclosed::All,
+        }
+        if self.holes != Some(Holes::Seeds) && !pslg.holes.is_empty() {
+            let seeds = count(pslg.holes.len(), "hole seed");
+            voice.note(format!("{}: {seeds} not used, as --holes asks", pslg.source.file));
+            pslg.holes.clear();
+            pslg.source.hole_lines.clear();
         }
     }
 }

@@ -22,6 +22,21 @@ pub const STEINERS: [(&str, Steiner); 2] =
 pub const RULES: [(&str, Rule); 3] =
     [("adaptive", Rule::Adaptive), ("ruppert", Rule::Ruppert), ("terminator", Rule::Terminator)];
 
+/// What takes a face out.
+pub const HOLES: [(&str, Holes); 3] =
+    [("seeds", Holes::Seeds), ("even-odd", Holes::EvenOdd), ("none", Holes::None)];
+
+/// What takes a face out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Holes {
+    /// A hole seed in it.
+    Seeds,
+    /// Nesting: an even number of loops around it.
+    EvenOdd,
+    /// Nothing.
+    None,
+}
+
 /// What the other options start from.
 #[derive(Debug, Clone, Copy)]
 pub struct Profile(fn() -> Parameters);

@@ -5,6 +5,7 @@ mod drawing;
 mod files;
 mod json;
 mod messages;
+mod outlines;
 mod schema;
 mod signals;
 mod tracing;

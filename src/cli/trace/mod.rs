@@ -12,7 +12,7 @@ use super::failure::{Exit, Failure};
 use super::format::Format;
 use super::input;
 use super::mesh::failure;
-use super::options::Scale;
+use super::options::{ReadOptions, Scale};
 use super::output::{Pending, STDOUT, check_places};
 use super::refining::RefineOptions;
 use super::voice::Voice;
@@ -32,6 +32,8 @@ pub struct Arguments {
     #[arg(long, value_name = "FORMAT")]
     from: Option<Format>,
     #[command(flatten)]
+    read: ReadOptions,
+    #[command(flatten)]
     refine: RefineOptions,
     #[command(flatten)]
     scale: Scale,
@@ -40,7 +42,8 @@ pub struct Arguments {
 /// Refines, and writes what it does.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let parameters = arguments.refine.parameters()?;
-    let (mut pslg, input) = input::outline(&arguments.input, arguments.from, voice)?;
+    let (mut pslg, input) =
+        input::outline(&arguments.input, arguments.from, arguments.read, voice)?;
     check_places(std::slice::from_ref(&arguments.output), &input.files)?;
     arguments.scale.apply(&mut pslg);
 

@@ -1,0 +1,97 @@
+//! Outlines in other formats, and which of their faces are meshed.
+
+use crate::bench::Bench;
+
+/// A square with a square hole, clockwise around it, in two groups.
+const FRAME: &str = "\
+g wall
+v 0 0 0
+v 4 0 0
+v 4 4 0
+v 0 4 0
+l 1 2 3 4 1
+g pipe
+v 1 1 0
+v 1 3 0
+v 3 3 0
+v 3 1 0
+l -4 -3 -2 -1 -4
+";
+
+/// The area of the mesh that these arguments make.
+fn area(bench: &Bench, arguments: &str) -> f64 {
+    let report = bench.succeeds(&format!("mesh {arguments} --json")).stdout;
+    let report: serde_json::Value = serde_json::from_str(&report).expect("JSON");
+    report["mesh"]["area"].as_f64().expect("an area")
+}
+
+#[test]
+fn loops_in_loops_are_holes_as_the_format_or_the_user_says() {
+    let bench = Bench::with("holes", "frame.obj", FRAME);
+    assert_eq!(area(&bench, "frame.obj -o a.msh"), 12.0);
+    assert_eq!(area(&bench, "frame.obj --holes even-odd"), 12.0);
+    assert_eq!(area(&bench, "frame.obj --holes seeds"), 16.0);
+    assert_eq!(area(&bench, "frame.obj --holes none -o b.msh --certificate b.json"), 16.0);
+    bench.succeeds("check a.msh --input frame.obj");
+    bench.succeeds("check b.msh --input frame.obj --holes none");
+    bench.succeeds("check b.msh --input frame.obj --certificate b.json");
+    assert_eq!(bench.run("check b.msh --input frame.obj").code, Some(4));
+    assert_eq!(bench.run("check a.msh --input frame.obj --holes seeds").code, Some(4));
+    let info = bench.succeeds("info frame.obj").stdout;
+    assert!(info.contains("wall (1): 4 segments · pipe (2): 4 segments"), "{info}");
+}
+
+#[test]
+fn a_poly_file_of_an_obj_file_has_seeds_in_its_holes() {
+    let bench = Bench::with("convert", "frame.obj", FRAME);
+    let ran = bench.succeeds("convert frame.obj frame.poly");
+    assert!(ran.stderr.contains("boundaries have numbers here, no names"), "{}", ran.stderr);
+    assert_eq!(area(&bench, "frame.poly"), 12.0);
+    let ran = bench.succeeds("convert frame.poly again.obj");
+    let said = "warning: again.obj: 1 hole seed is not written: the format has no place for it";
+    assert!(ran.stderr.contains(said), "{}", ran.stderr);
+    assert!(!ran.stderr.contains("each loop within a loop"), "{}", ran.stderr);
+    bench.succeeds("convert again.obj again.poly");
+    assert_eq!(bench.read("again.poly"), bench.read("frame.poly"));
+    let ran = bench.succeeds("mesh frame.poly --holes none");
+    let said = "note: frame.poly: 1 hole seed not used, as --holes asks";
+    assert!(ran.stderr.contains(said), "{}", ran.stderr);
+}
+
+#[test]
+fn what_is_meshed_otherwise_after_a_conversion_is_a_warning() {
+    let bench = Bench::with("alike", "frame.obj", FRAME);
+    let ran = bench.succeeds("convert frame.obj whole.obj --holes none");
+    let said = "warning: in an .obj file each loop within a loop is a hole, here it is not; \
+                `--holes none` reads it as it is here";
+    assert!(ran.stderr.contains(said), "{}", ran.stderr);
+    let ran = bench.run("convert frame.obj strict.obj --holes none --strict");
+    assert_eq!(ran.code, Some(4), "{}", ran.stderr);
+    assert!(!bench.path("strict.obj").exists());
+    let crossing = FRAME.replace("l -4 -3 -2 -1", "l -4 -2 -3 -1");
+    let bench = Bench::with("unclean", "crossing.obj", &crossing);
+    let ran = bench.succeeds("convert crossing.obj crossing.poly");
+    let said = "`--holes even-odd` reads it so: segments 5 and 7 cross near (2, 2)";
+    assert!(ran.stderr.contains(said), "{}", ran.stderr);
+}
+
+#[test]
+fn outlines_of_faces_are_taken_where_that_is_asked() {
+    let faces = "v 0 0\nv 1 0\nv 1 1\nv 0 1\nf 1 2 3\nf 1 3 4\n";
+    let bench = Bench::with("faces", "plate.obj", faces);
+    let ran = bench.run("mesh plate.obj");
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("--faces takes their outlines"), "{}", ran.stderr);
+    assert_eq!(area(&bench, "plate.obj --faces"), 1.0);
+}
+
+#[test]
+fn formats_that_hold_the_other_thing_are_refused() {
+    let bench = Bench::with("refused", "frame.obj", FRAME);
+    let ran = bench.run("mesh frame.obj -o mesh.obj");
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stderr.contains("Wavefront OBJ holds outlines, no meshes"), "{}", ran.stderr);
+    let ran = bench.run("convert frame.obj frame.msh");
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stderr.contains("outlines are written to .poly, .obj"), "{}", ran.stderr);
+}
