@@ -14,7 +14,7 @@ use crate::triangulation::Triangle;
 #[must_use]
 pub fn assemble(
     refinement: &Refinement,
-    initial: &[Triangle],
+    initial: Vec<Triangle>,
     domain_points: &[u32],
     domain: &Domain,
     pslg: &Pslg,

@@ -10,6 +10,7 @@ use crate::certify::{Certificate, Promise, certify};
 use crate::domain::{self, Domain};
 use crate::refine::incremental::Introduction;
 use crate::refine::segments::Segments;
+use crate::refine::sizes::Sizes;
 use crate::refine::sizing::Sizing;
 use crate::refine::trace::{Event, Listener, Names};
 use crate::refine::{End, Progress, Refinement, refine};
@@ -187,11 +188,12 @@ fn run(
     let kept = if has_attributes { initial.triangles.clone() } else { Vec::new() };
     let segments = Segments::of(&domain, &domain_points, domain.floor());
     let sizing = sizing(parameters, &domain);
+    let sizes = Sizes::of(&domain, &domain_points);
     let carved = carve(initial, &domain);
 
     let names = Names::new(&domain, &domain_points, pslg.points.len());
     let mut translate = hear.map(|hear| |event| hear(&names.translate(event)));
-    let mut refinement = Refinement::new(carved, segments, sizing, &domain, parameters);
+    let mut refinement = Refinement::new(carved, segments, sizing, sizes, &domain, parameters);
     if let Some(translate) = &mut translate {
         refinement.listener = Listener::new(translate);
     }
@@ -204,7 +206,7 @@ fn run(
     if domain.region == Region::Global {
         refinement.mesh = without_the_outside(mem::take(&mut refinement.mesh));
     }
-    let mesh = assemble(&refinement, &kept, &domain_points, &domain, pslg);
+    let mesh = assemble(&refinement, kept, &domain_points, &domain, pslg);
     let missed = refinement.missed();
     let introductions = refinement.introductions().iter();
     Ok(Outcome {

@@ -49,6 +49,21 @@ pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -
     merged
 }
 
+/// The target size at each of `count` distinct points: the smallest of those that were merged.
+pub fn sizes(pslg: &Pslg, distinct: &[u32], count: usize, scale_exponent: i32) -> Vec<f64> {
+    if pslg.point_sizes.is_empty() {
+        return Vec::new();
+    }
+    let mut sizes = vec![f64::INFINITY; count];
+    for (&point, &size) in distinct.iter().zip(&pslg.point_sizes) {
+        if size > 0.0 {
+            let scaled = libm::scalbn(size, -scale_exponent);
+            sizes[point as usize] = sizes[point as usize].min(scaled);
+        }
+    }
+    sizes
+}
+
 /// The distinct segments of an outline.
 pub struct Segments {
     /// Their ends as indices of distinct points, in the order of the outline.

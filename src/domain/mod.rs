@@ -46,6 +46,8 @@ pub struct Domain {
     pub points: Vec<[f64; 2]>,
     /// The input point that each point is (the first of those that were merged).
     pub input_points: Vec<u32>,
+    /// The target size at each point, scaled (infinite: none); empty where the outline has none.
+    pub point_sizes: Vec<f64>,
     /// Distinct segments as indices into [`Domain::points`]; then, where the convex hull is
     /// meshed, the hull edges that are not segments yet.
     pub segments: Vec<[u32; 2]>,
@@ -185,6 +187,7 @@ impl Domain {
             _ => precision::ulp(&points, &meshed_points),
         };
         let domain = Self {
+            point_sizes: merge::sizes(pslg, &distinct, points.len(), scale_exponent),
             points,
             input_points,
             segments,

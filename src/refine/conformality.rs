@@ -150,6 +150,7 @@ impl Refinement<'_> {
         self.cavity.expect_visible(&self.mesh)?;
         self.mesh.commit(&mut self.cavity);
         self.provenances.push_segment_point(split);
+        self.size_new_vertex();
         Ok(())
     }
 

@@ -76,6 +76,7 @@ impl Refinement<'_> {
     /// Introduces the points on no segment, then the segments, in the domain's order; finishes the
     /// mesh after each.
     pub(super) fn introduce_one_by_one(&mut self, watch: &mut Watch) -> Flow {
+        self.keep_background();
         for slot in 0..self.mesh.triangles.len() as u32 {
             self.queue_if_bad(slot);
         }

@@ -9,7 +9,7 @@
 //! | Algorithm 1 (§9) | `augment` |
 //! | splitting on dyadic ladders (ours) | [`ladder`] |
 //! | points, midpoints, circumcenters, §3 | [`provenance`] |
-//! | any further trigger (ours) | [`sizing`], [`soft`] |
+//! | any further trigger (ours) | [`sizing`], [`sizes`], [`soft`] |
 //! | features one by one, §3 | [`incremental`] |
 //! | the Terminator, for comparison (§1) | [`terminator`] |
 //! | what is done, step by step | [`trace`] |
@@ -20,6 +20,7 @@ mod augment;
 pub mod conformality;
 pub mod excuse;
 pub mod incremental;
+pub mod interpolation;
 pub mod ladder;
 pub mod piece;
 pub mod provenance;
@@ -27,6 +28,7 @@ pub mod quality;
 pub mod queue;
 pub mod segments;
 pub mod shells;
+pub mod sizes;
 pub mod sizing;
 pub mod soft;
 mod stall;
@@ -46,6 +48,7 @@ use provenance::Provenances;
 use quality::Trigger;
 use queue::{Entry, Order, Queue};
 use segments::Segments;
+use sizes::Sizes;
 use sizing::Sizing;
 use trace::{Cause, Listener, Proposer, Refusal};
 
@@ -73,6 +76,7 @@ pub struct Refinement<'a> {
     domain: &'a Domain,
     parameters: &'a Parameters,
     sizing: Sizing,
+    sizes: Option<Sizes>,
     precision: Precision,
     order: Order,
     queue: Queue,
@@ -173,6 +177,7 @@ impl<'a> Refinement<'a> {
         mesh: Triangulation,
         segments: Segments,
         sizing: Sizing,
+        sizes: Option<Sizes>,
         domain: &'a Domain,
         parameters: &'a Parameters,
     ) -> Self {
@@ -187,6 +192,7 @@ impl<'a> Refinement<'a> {
             domain,
             parameters,
             sizing,
+            sizes,
             precision: Precision::of(domain),
             order: if worst_first { Order::SmallestAngle } else { Order::ShortestEdge },
             queue: Queue::default(),
@@ -208,6 +214,7 @@ impl<'a> Refinement<'a> {
         }
         self.find_encroached_subsegments();
         self.restore_conformality(&mut watch)?;
+        self.split_what_is_longer_than_its_size(&mut watch)?;
         for tile in self.tiles() {
             for slot in tile {
                 self.queue_if_bad(slot);
@@ -262,7 +269,9 @@ impl<'a> Refinement<'a> {
         };
         self.small_angle(slot).filter(allowed).or_else(|| {
             let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
-            self.sizing.is_too_large(corners, region).then(|| quality::by_size(corners))
+            let too_large =
+                self.sizing.is_too_large(corners, region) || self.is_larger_than_its_size(slot);
+            too_large.then(|| quality::by_size(corners))
         })
     }
 
@@ -415,6 +424,7 @@ impl<'a> Refinement<'a> {
         self.cavity.expect_visible(&self.mesh)?;
         self.mesh.commit(&mut self.cavity);
         self.provenances.push_steiner_point();
+        self.size_new_vertex();
         self.queue_bad_of_star();
         Ok(())
     }
@@ -430,6 +440,7 @@ impl<'a> Refinement<'a> {
             let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
             if quality::may_be_small(a, b, self.target())
                 || self.sizing.may_be_too_large(a, b, region)
+                || self.sizes.is_some()
             {
                 self.queue_if_bad(slot);
             }

@@ -166,6 +166,7 @@ impl<'a> Lines<'a> {
                 "rejected_in": self.rejection,
                 "triangle": vertices.map(|v| self.number(v)),
             }),
+            Cause::Size => json!({ "size": true }),
             Cause::Augmented => json!({ "augmented": true }),
         }
     }

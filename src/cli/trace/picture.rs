@@ -143,6 +143,7 @@ impl Seen<'_> {
         match cause {
             Cause::Encroached(vertex) => format!("{} encroaches", self.number(vertex)),
             Cause::Rejected(_) => "a rejected point encroaches".to_string(),
+            Cause::Size => "too long".to_string(),
             Cause::Augmented => "Algorithm 1".to_string(),
         }
     }
@@ -203,7 +204,7 @@ impl Seen<'_> {
         match cause {
             Cause::Encroached(vertex) => self.replay.point(vertex).map(Highlight::Encroaching),
             Cause::Rejected(vertices) => self.corners(vertices).map(Highlight::Bad),
-            Cause::Augmented => None,
+            Cause::Size | Cause::Augmented => None,
         }
     }
 

@@ -142,6 +142,9 @@ impl Reader {
         if value["augmented"] == true {
             return Ok(Cause::Augmented);
         }
+        if value["size"] == true {
+            return Ok(Cause::Size);
+        }
         match value.get("encroached_by") {
             Some(vertex) => Ok(Cause::Encroached(self.vertex(vertex)?)),
             None => Ok(Cause::Rejected(self.vertices(&value["triangle"], "triangle")?)),

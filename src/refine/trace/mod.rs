@@ -138,6 +138,8 @@ pub enum Cause {
     /// The Steiner point of this bad triangle would encroach it: (Quality′), the last
     /// [`Event::Rejected`].
     Rejected([u32; 3]),
+    /// It is longer than the size that is asked for there.
+    Size,
     /// Algorithm 1 (§9) puts a point on it before the refinement.
     Augmented,
 }

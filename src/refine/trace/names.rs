@@ -115,7 +115,7 @@ impl<'a> Names<'a> {
         match cause {
             Cause::Encroached(v) => Cause::Encroached(self.vertex(v)),
             Cause::Rejected(vertices) => Cause::Rejected(self.corners(vertices)),
-            Cause::Augmented => Cause::Augmented,
+            cause @ (Cause::Size | Cause::Augmented) => cause,
         }
     }
 }
