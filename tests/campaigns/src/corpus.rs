@@ -1,16 +1,22 @@
 //! The large collection of outlines that `MESHWRIGHT_DATA` names, and what is known of each.
 //!
 //! `answers.tsv` holds the answers for good files, `bad/expected.json` those for nasty ones; both
-//! were made without any mesher. Only `.poly` and `.node` files (compressed ones too) are taken.
+//! were made without any mesher. Files of the formats in [`READ`] are taken, compressed ones too; some
+//! a second time, with other holes.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use meshwright::Mesh;
 use serde_json::Value;
 
 /// The environment variable that names the collection's folder.
 pub const VARIABLE: &str = "MESHWRIGHT_DATA";
+
+/// The ends of the names of the files that are taken.
+pub const READ: [&str; 3] = ["poly", "node", "obj"];
 
 /// The collection's folder, if the environment names one.
 #[must_use]
@@ -23,12 +29,38 @@ pub fn folder() -> Option<PathBuf> {
 pub struct Case {
     /// Its path below the collection's folder.
     pub file: String,
+    /// What takes a face out, as `--holes` has it; `None`: as the format has it.
+    pub holes: Option<Holes>,
     /// What may happen: one of these, nothing else.
     pub allowed: Vec<Ending>,
     /// The area of the mesh, if there is one, and how far it may be off (absolute).
     pub area: Option<(f64, f64)>,
+    /// How many boundaries of the mesh have names, where that is known.
+    pub boundaries: Option<usize>,
+    /// Names that boundaries of the mesh must have.
+    pub names: Vec<String>,
     /// What a warning or an error must name.
     pub named: Named,
+}
+
+/// What takes a face out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Holes {
+    /// An even number of loops around it.
+    EvenOdd,
+    /// Nothing.
+    None,
+}
+
+impl Holes {
+    /// The word of the option `--holes`.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::EvenOdd => "even-odd",
+            Self::None => "none",
+        }
+    }
 }
 
 /// What must happen.
@@ -51,6 +83,8 @@ pub struct Named {
     pub places: Vec<Vec<String>>,
     /// Whether at least one line of the file must be named, whichever.
     pub any_line: bool,
+    /// Whether a run that meshes need name nothing.
+    pub only_if_refused: bool,
 }
 
 /// All cases, in the order of their files.
@@ -59,12 +93,12 @@ pub struct Named {
 /// The collection cannot be read, or its tables are not as expected.
 pub fn cases(folder: &Path) -> io::Result<Vec<Case>> {
     let answers = fs::read_to_string(folder.join("answers.tsv"))?;
-    let mut cases = answers.lines().skip(1).filter_map(answer).collect::<Vec<_>>();
+    let mut cases = answers.lines().skip(1).flat_map(answer).collect::<Vec<_>>();
     let expected = fs::read_to_string(folder.join("bad/expected.json"))?;
     let expected: Value = serde_json::from_str(&expected)?;
     let nasty = expected.as_object().into_iter().flatten();
     cases.extend(
-        nasty.filter(|(name, _)| is_read(name)).map(|(name, case)| expectation(name, case)),
+        nasty.filter(|(name, _)| is_read(name)).flat_map(|(name, case)| expectation(name, case)),
     );
     cases.sort_by(|a, b| a.file.cmp(&b.file));
     Ok(cases)
@@ -73,15 +107,17 @@ pub fn cases(folder: &Path) -> io::Result<Vec<Case>> {
 /// Whether outlines are read from files of this name.
 fn is_read(name: &str) -> bool {
     let name = name.strip_suffix(".gz").unwrap_or(name);
-    Path::new(name).extension().is_some_and(|end| end == "poly" || end == "node")
+    Path::new(name).extension().is_some_and(|end| READ.iter().any(|read| end == *read))
 }
 
-/// A row of `answers.tsv`: file, points, segments, clean, components, area, …
-fn answer(row: &str) -> Option<Case> {
+/// A row of `answers.tsv`: file, points, segments, clean, components, area, … markers, regions,
+/// note.
+fn answer(row: &str) -> Vec<Case> {
     let columns: Vec<&str> = row.split('\t').collect();
-    let (&file, &clean, &area) = (columns.first()?, columns.get(3)?, columns.get(5)?);
+    let column = |index: usize| columns.get(index).copied().unwrap_or_default();
+    let (file, clean, area, note) = (column(0), column(3), column(5), column(10));
     if !is_read(file) {
-        return None;
+        return Vec::new();
     }
     let area: Option<f64> = area.parse().ok();
     let (ending, named) = match (clean, area) {
@@ -92,8 +128,41 @@ fn answer(row: &str) -> Option<Case> {
         }
         _ => (Ending::Refused, Named { any_line: true, ..Named::default() }),
     };
-    let area = area.map(|area| (area, 1e-9 * area));
-    Some(Case { file: file.to_owned(), allowed: vec![ending], area, named })
+    // OBJ: `g15`, `g28 m1`. One material tells no groups apart.
+    let named_groups = |word: &str| word.strip_prefix('g').and_then(|count| count.parse().ok());
+    let is_obj = file.ends_with(".obj");
+    let boundaries = column(8).split(' ').find_map(named_groups).filter(|_| is_obj);
+    let case = Case {
+        file: file.to_owned(),
+        holes: None,
+        allowed: vec![ending],
+        area: area.map(|area| (area, 1e-9 * area)),
+        boundaries,
+        names: Vec::new(),
+        named,
+    };
+    let other = if is_obj {
+        (Holes::None, number_after(note, "all faces "))
+    } else {
+        (Holes::EvenOdd, number_after(note, "even-odd nesting would give "))
+    };
+    with_other_holes(case, other, 1e-9)
+}
+
+/// The number that stands behind a text.
+fn number_after(note: &str, text: &str) -> Option<f64> {
+    let (_, rest) = note.split_once(text)?;
+    rest.split([' ', ';']).next()?.parse().ok()
+}
+
+/// The case, and the same file with other holes where the area is known then.
+fn with_other_holes(case: Case, (holes, area): (Holes, Option<f64>), tolerance: f64) -> Vec<Case> {
+    let other = area.map(|area| Case {
+        holes: Some(holes),
+        area: Some((area, tolerance * area)),
+        ..case.clone()
+    });
+    [case].into_iter().chain(other).collect()
 }
 
 /// Whether this fault is mended without being asked.
@@ -104,7 +173,7 @@ fn is_merged(fault: &str) -> bool {
 }
 
 /// An entry of `bad/expected.json`.
-fn expectation(name: &str, case: &Value) -> Case {
+fn expectation(name: &str, case: &Value) -> Vec<Case> {
     let missing = case["about"].as_str().is_some_and(|about| about.contains("does not exist"));
     let words = case["expect"].as_str().unwrap_or_default().split('|');
     let mut allowed: Vec<_> =
@@ -136,15 +205,45 @@ fn expectation(name: &str, case: &Value) -> Case {
             ]);
         }
     }
-    Case {
+    let names = result["names"].as_array().into_iter().flatten().filter_map(Value::as_str);
+    let case = Case {
         file: format!("bad/{name}"),
+        holes: None,
         allowed,
         area: area.map(|area| (area, tolerance.unwrap_or(1e-6 * area))),
-        named: Named { places, any_line: false },
-    }
+        boundaries: None,
+        names: names.map(str::to_owned).collect(),
+        named: Named { places, any_line: false, only_if_refused: case["expect"] == "ok|error" },
+    };
+    with_other_holes(case, (Holes::None, result["area_all"].as_f64()), 1e-6)
 }
 
 impl Case {
+    /// The file and the option that it is read with.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self.holes {
+            None => self.file.clone(),
+            Some(holes) => format!("{} --holes {}", self.file, holes.word()),
+        }
+    }
+
+    /// What is wrong with the names of the boundaries of a mesh, if anything.
+    #[must_use]
+    pub fn complaints_of_names(&self, mesh: &Mesh) -> Vec<String> {
+        let given = mesh.groups.iter().filter(|group| {
+            group.dim == 1 && meshwright::formats::groups::stated_tag(1, &group.name).is_none()
+        });
+        let given: BTreeSet<&str> = given.map(|group| group.name.as_str()).collect();
+        let missing = self.names.iter().filter(|name| !given.contains(name.as_str()));
+        let mut complaints: Vec<String> =
+            missing.map(|name| format!("no boundary is named `{name}`")).collect();
+        if self.boundaries.is_some_and(|count| count != given.len()) {
+            complaints.push(format!("named boundaries: {given:?}, not {:?}", self.boundaries));
+        }
+        complaints
+    }
+
     /// What is wrong with how a run ended, if anything: its ending, the area of its mesh, what it
     /// said.
     #[must_use]
@@ -164,6 +263,9 @@ impl Case {
                 Some(area) => complaints.push(format!("area {area}, not {expected}")),
                 None => complaints.push("no area is told".to_owned()),
             }
+        }
+        if meshed && self.named.only_if_refused {
+            return complaints;
         }
         for place in &self.named.places {
             if !place.iter().any(|text| names(talk, text)) {
@@ -205,13 +307,29 @@ mod tests {
     #[test]
     fn a_row_of_the_answers_is_understood() {
         let row = "x/a.poly\t4\t4\tyes\t1\t2.5\t90\t0 0 1 1\t0\t0\t";
-        let case = answer(row).unwrap();
+        let only = |row: &str| {
+            let [case] = &answer(row)[..] else { panic!("one case") };
+            case.clone()
+        };
+        let case = only(row);
         assert_eq!((case.file.as_str(), case.allowed), ("x/a.poly", vec![Ending::Meshes]));
-        assert_eq!(answer(&row.replace("yes", "6 crossings")).unwrap().allowed, [Ending::Refused]);
-        let merged = answer(&row.replace("yes", "1 duplicate point; 1 duplicate segment")).unwrap();
+        assert_eq!(only(&row.replace("yes", "6 crossings")).allowed, [Ending::Refused]);
+        let merged = only(&row.replace("yes", "1 duplicate point; 1 duplicate segment"));
         assert_eq!(merged.allowed, [Ending::MeshesWithWarning]);
-        assert_eq!(answer(&row.replace("2.5", "0")).unwrap().allowed, [Ending::Refused]);
-        assert_eq!(answer(&row.replace("poly", "obj")), None);
+        assert_eq!(only(&row.replace("2.5", "0")).allowed, [Ending::Refused]);
+        assert_eq!(answer(&row.replace("poly", "svg")), []);
+    }
+
+    #[test]
+    fn a_file_whose_area_with_other_holes_is_known_is_two_cases() {
+        let row = "x/a.obj\t4\t4\tyes\t1\t2.5\t90\t0 0 1 1\tg3 m1\t0\topen; all faces 4.5; x";
+        let [first, second] = &answer(row)[..] else { panic!("two cases") };
+        assert_eq!((first.holes, first.area), (None, Some((2.5, 2.5e-9))));
+        assert_eq!((second.holes, second.area), (Some(Holes::None), Some((4.5, 1e-9 * 4.5))));
+        assert_eq!(first.boundaries, Some(3));
+        let row = row.replace("obj", "poly").replace("all faces", "even-odd nesting would give");
+        assert_eq!(answer(&row)[1].holes, Some(Holes::EvenOdd));
+        assert_eq!(answer(&row)[1].boundaries, None);
     }
 
     #[test]
@@ -219,7 +337,7 @@ mod tests {
         let case = serde_json::json!({
             "about": "", "expect": "repair", "culprits": {"lines": [7, 9], "segments": [1, 3]}
         });
-        let case = expectation("b.poly", &case);
+        let [case] = &expectation("b.poly", &case)[..] else { panic!("one case") };
         assert_eq!(case.allowed, [Ending::Refused]);
         let talk =
             "error: segments 1 and 3 cross near (1, 1)\n  bad/b.poly:7: 1 1 2\n  bad/b.poly:9: 3";

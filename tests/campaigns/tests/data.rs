@@ -8,17 +8,17 @@ use std::process::ExitCode;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use meshwright::domain;
-use meshwright::formats::{node, poly};
-use meshwright::{Parameters, Pslg};
-use meshwright_campaigns::corpus::{self, Case, Ending, VARIABLE};
+use meshwright::formats::{Enclosed, node, obj, poly};
+use meshwright::{Mesh, Parameters, Pslg};
+use meshwright_campaigns::corpus::{self, Case, Ending, Holes, READ, VARIABLE};
 use meshwright_campaigns::judge::{Verdict, judge};
 use meshwright_campaigns::measure::area;
 use meshwright_campaigns::plane::segments_meet;
 use meshwright_campaigns::run::{self, guarded};
 
-/// The folders of the collection that hold `.poly` and `.node` files.
-const FOLDERS: [&str; 9] =
-    ["bad", "cdt", "cgshop25", "gis", "mesh2d", "outlines", "paper", "polygons", "triangle"];
+/// The folders of the collection that hold outlines.
+const FOLDERS: [&str; 10] =
+    ["bad", "cdt", "cgshop25", "gis", "mesh2d", "obj", "outlines", "paper", "polygons", "triangle"];
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
@@ -63,7 +63,7 @@ fn trials(folder: &Path) -> Vec<Trial> {
             let lfs_min = Trial::test(LFS_MIN, move || lfs_min_of_superior(&superior));
             let cases = cases.into_iter().map(|case| {
                 let path = folder.join(&case.file);
-                Trial::test(case.file.clone(), move || behaves(case, path))
+                Trial::test(case.name(), move || behaves(case, path))
             });
             cases.chain([lfs_min]).collect()
         }
@@ -78,6 +78,7 @@ fn trials(folder: &Path) -> Vec<Trial> {
 struct Ran {
     ending: Ending,
     area: Option<f64>,
+    mesh: Option<Mesh>,
     talk: String,
     /// What is wrong whatever was expected.
     faults: Vec<String>,
@@ -85,29 +86,32 @@ struct Ran {
 
 /// Whether a file behaves as it must.
 fn behaves(case: Case, path: PathBuf) -> Result<(), Failed> {
-    let ran = match guarded(move || mesh_file(&path)).ending {
+    let holes = case.holes;
+    let ran = match guarded(move || mesh_file(&path, holes)).ending {
         run::Ending::Done(ran) => ran,
         run::Ending::Panicked(message) => return Err(format!("a panic: {message}").into()),
         run::Ending::Hung => return Err("it does not end".into()),
     };
     let mut complaints = case.complaints(ran.ending, ran.area, &ran.talk);
     complaints.extend(ran.faults);
+    complaints.extend(ran.mesh.iter().flat_map(|mesh| case.complaints_of_names(mesh)));
     if complaints.is_empty() {
         return Ok(());
     }
     Err(format!("{}\nit said:\n{}", complaints.join("\n"), ran.talk).into())
 }
 
-fn mesh_file(path: &Path) -> Ran {
+fn mesh_file(path: &Path, holes: Option<Holes>) -> Ran {
     let mut talk = Vec::new();
     let refused = |talk: Vec<String>, faults| Ran {
         ending: Ending::Refused,
         area: None,
+        mesh: None,
         talk: talk.join("\n"),
         faults,
     };
     let outline = match read(path, &mut talk) {
-        Ok(outline) => outline,
+        Ok(outline) => with_holes(outline, holes),
         Err(message) => {
             talk.push(message);
             return refused(talk, Vec::new());
@@ -126,20 +130,31 @@ fn mesh_file(path: &Path) -> Ran {
                 _ => Vec::new(),
             };
             let ending = if warned { Ending::MeshesWithWarning } else { Ending::Meshes };
-            Ran { ending, area: Some(area(&outcome.mesh)), talk: talk.join("\n"), faults }
+            let area = Some(area(&outcome.mesh));
+            Ran { ending, area, mesh: Some(outcome.mesh), talk: talk.join("\n"), faults }
         }
     }
+}
+
+/// The outline with other holes than its format has.
+fn with_holes(outline: Pslg, holes: Option<Holes>) -> Pslg {
+    let enclosed = match holes {
+        None => return outline,
+        Some(Holes::EvenOdd) => Enclosed::EvenOdd,
+        Some(Holes::None) => Enclosed::All,
+    };
+    Pslg { enclosed, holes: Vec::new(), ..outline }
 }
 
 /// Reads an outline; warnings go into the talk.
 fn read(path: &Path, talk: &mut Vec<String>) -> Result<Pslg, String> {
     let name = path.display().to_string();
     let text = uncompressed(fs::read(path).map_err(|error| format!("{name}: {error}"))?)?;
-    let is_node = name.trim_end_matches(".gz").ends_with(".node");
-    let (outline, warnings) = if is_node {
-        node::read(&text, &name)
-    } else {
-        poly::read(&text, &name, |node| fs::read(node))
+    let end = |end: &&str| name.trim_end_matches(".gz").ends_with(&format!(".{end}"));
+    let (outline, warnings) = match READ.into_iter().find(end) {
+        Some("node") => node::read(&text, &name),
+        Some("obj") => obj::read(&text, &name),
+        _ => poly::read(&text, &name, |node| fs::read(node)),
     }
     .map_err(|error| error.to_string())?;
     talk.extend(warnings.iter().map(ToString::to_string));

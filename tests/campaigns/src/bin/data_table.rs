@@ -96,7 +96,7 @@ impl Row {
         let points = self.points.map_or_else(|| "-".to_owned(), |points| points.to_string());
         println!(
             "{:<56} {:<18} {:<18} {points:>8} {:>8.3}",
-            case.file,
+            case.name(),
             expected.join(" or "),
             self.got,
             self.time.as_secs_f64()
@@ -135,7 +135,14 @@ impl Runner {
     fn run(&self, number: usize, case: &Case) -> io::Result<Row> {
         let input = self.data.join(&case.file);
         let output = self.scratch.join(format!("{number}.msh"));
-        let done = self.call(&[Path::new("mesh"), &input, Path::new("-o"), &output])?;
+        let holes: Vec<&Path> = case
+            .holes
+            .map(|holes| ["--holes", holes.word()].map(Path::new))
+            .into_iter()
+            .flatten()
+            .collect();
+        let mesh = [Path::new("mesh"), &input, Path::new("-o"), &output];
+        let done = self.call(&[&mesh[..], &holes].concat())?;
         let mut complaints = Vec::new();
         let (mut points, mut area) = (None, None);
         let ending = match done.code {
@@ -153,10 +160,12 @@ impl Runner {
                 Ok((mesh, _)) => {
                     points = Some(mesh.points.len());
                     area = Some(meshwright_campaigns::measure::area(&mesh));
+                    complaints.extend(case.complaints_of_names(&mesh));
                 }
                 Err(error) => complaints.push(format!("the output cannot be read: {error}")),
             }
-            let check = self.call(&[Path::new("check"), &output, Path::new("--input"), &input])?;
+            let check = [Path::new("check"), &output, Path::new("--input"), &input];
+            let check = self.call(&[&check[..], &holes].concat())?;
             if check.code != Some(0) {
                 complaints.push(format!("check exits {:?}\n{}", check.code, check.talk));
             }
