@@ -225,6 +225,9 @@ fn point_number(
     }
     let first = source.first_number;
     let number = i64::from(first) + index;
+    if scanner.plain_integer(|found| found == number).is_some() {
+        return Ok(());
+    }
     let Some(word) = scanner.word() else { return Err(scanner.missing("a point")) };
     if parse_integer(word.bytes) == Some(number) {
         return Ok(());

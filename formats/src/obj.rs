@@ -185,21 +185,18 @@ impl<'a> Reader<'a> {
     fn polyline(&mut self) -> Result<(), SyntaxError> {
         let group = self.groups.current();
         let mut from = self.wanted_vertex("the first vertex of a line")?;
-        let mut word = match self.scanner.word() {
-            Some(word) => word,
-            None => return Err(self.scanner.missing("the second vertex of a line")),
-        };
+        let mut to = self.wanted_vertex("the second vertex of a line")?;
         loop {
-            let to = self.vertex_in(word)?;
             if self.segments.len() as i64 >= MOST {
+                let word = self.scanner.first_word_of_line();
                 return Err(self.scanner.unexpected(word, format!("at most {MOST} segments")));
             }
             self.segments.push([from, to]);
             self.segment_lines.push(self.scanner.line());
             self.segment_groups.push(group);
             from = to;
-            word = match self.scanner.word() {
-                Some(word) => word,
+            to = match self.next_vertex()? {
+                Some(to) => to,
                 None => return Ok(()),
             };
         }
@@ -209,8 +206,7 @@ impl<'a> Reader<'a> {
     fn points(&mut self) -> Result<(), SyntaxError> {
         let first = self.wanted_vertex("a vertex")?;
         self.free_points.push(first);
-        while let Some(word) = self.scanner.word() {
-            let point = self.vertex_in(word)?;
+        while let Some(point) = self.next_vertex()? {
             self.free_points.push(point);
         }
         Ok(())
@@ -226,8 +222,8 @@ impl<'a> Reader<'a> {
         loop {
             self.faces.edge([from, to], group, line);
             from = to;
-            to = match self.scanner.word() {
-                Some(word) => self.vertex_in(word)?,
+            to = match self.next_vertex()? {
+                Some(to) => to,
                 None => break,
             };
         }
@@ -236,25 +232,36 @@ impl<'a> Reader<'a> {
     }
 
     fn wanted_vertex(&mut self, what: &'static str) -> Result<u32, SyntaxError> {
-        match self.scanner.word() {
-            Some(word) => self.vertex_in(word),
-            None => Err(self.scanner.missing(what)),
-        }
+        self.next_vertex()?.ok_or_else(|| self.scanner.missing(what))
     }
 
-    /// The (zero-based) index of the vertex that a word names.
-    fn vertex_in(&mut self, word: Word) -> Result<u32, SyntaxError> {
-        let known = self.vertices.len() as i64;
-        let bytes = word.bytes;
-        let number = bytes.iter().position(|&b| b == b'/').map_or(bytes, |end| &bytes[..end]);
-        let is_reference = number.len() == bytes.len() || is_reference(&bytes[number.len() + 1..]);
-        let number = match parse_integer(number).filter(|_| is_reference) {
-            Some(back) if back < 0 && -back <= known => known + 1 + back,
-            Some(number) if (1..=self.most_vertices).contains(&number) => number,
-            _ => return Err(self.no_vertex(word, known)),
+    /// The (zero-based) index of the vertex that the next word of the line names.
+    fn next_vertex(&mut self) -> Result<Option<u32>, SyntaxError> {
+        let (known, most) = (self.vertices.len() as i64, self.most_vertices);
+        let found = self.scanner.plain_integer(|number| counted(number, known, most).is_some());
+        let number = match found {
+            Some(number) => counted(number, known, most),
+            None => match self.scanner.word() {
+                Some(word) => Some(self.reference(word)?),
+                None => None,
+            },
         };
-        self.largest_vertex = self.largest_vertex.max(number);
-        Ok((number - 1) as u32)
+        self.largest_vertex = self.largest_vertex.max(number.unwrap_or_default());
+        Ok(number.map(|number| (number - 1) as u32))
+    }
+
+    /// The number of the vertex that a word names, counted from one.
+    fn reference(&self, word: Word) -> Result<i64, SyntaxError> {
+        let known = self.vertices.len() as i64;
+        let mut parts = word.bytes.split(|&byte| byte == b'/');
+        let number = parts.next().and_then(parse_integer);
+        // Texture and normal: `7/7`, `7/7/7`, `7//7`, and `7/` where exporters forget them.
+        let is_number = |part: &[u8]| part.is_empty() || parse_integer(part).is_some();
+        let is_reference = parts.by_ref().take(2).all(is_number) && parts.next().is_none();
+        number
+            .filter(|_| is_reference)
+            .and_then(|number| counted(number, known, self.most_vertices))
+            .ok_or_else(|| self.no_vertex(word, known))
     }
 
     fn no_vertex(&self, word: Word, known: i64) -> SyntaxError {
@@ -374,13 +381,11 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Whether this may follow the first `/` of a vertex: `7`, `/7`, `7/7`, or nothing.
-fn is_reference(rest: &[u8]) -> bool {
-    let mut parts = rest.split(|&byte| byte == b'/');
-    let is_number = |part: &[u8]| part.is_empty() || parse_integer(part).is_some();
-    parts.next().is_none_or(is_number)
-        && parts.next().is_none_or(is_number)
-        && parts.next().is_none()
+/// The number of a vertex counted from one, where `known` vertices stand before it and there are
+/// `most`; `None` if there is no such vertex.
+fn counted(number: i64, known: i64, most: i64) -> Option<i64> {
+    let number = if number < 0 { known + 1 + number } else { number };
+    (1..=most).contains(&number).then_some(number)
 }
 
 /// Statements that have no effect on an outline.

@@ -137,17 +137,11 @@ fn segments(
 pub(crate) fn point(scanner: &mut Scanner, pslg: &Pslg) -> Result<u32, SyntaxError> {
     let first = i64::from(pslg.source.first_number);
     let last = first + pslg.points.len() as i64 - 1;
-    let value = match scanner.word() {
-        Some(word) => scanner.integer_in(word, "", first, last),
-        None => Err(scanner.missing("")),
-    };
-    match value {
-        Ok(value) => Ok((value - first) as u32),
-        Err(mut error) => {
-            error.expected = format!("the number of a point ({first} to {last})").into();
-            Err(error)
-        }
-    }
+    let number = scanner.integer("", first, last).map_err(|mut error| {
+        error.expected = format!("the number of a point ({first} to {last})").into();
+        error
+    })?;
+    Ok((number - first) as u32)
 }
 
 fn counts_up(numbers: &[i64], first: u32) -> bool {

@@ -2,7 +2,8 @@
 //!
 //! A word is a run of bytes between white space; it is taken whole or not at all, so `0,0` is no
 //! number. Lines end with `\n`, `\r\n` or `\r`; a byte order mark is skipped. One pass over the
-//! bytes, nothing allocated but by errors.
+//! bytes, nothing allocated but by errors: a number is parsed where it stands, and only where that
+//! fails is its word looked at as a whole.
 
 use std::borrow::Cow;
 
@@ -17,10 +18,23 @@ pub(crate) struct Scanner<'a> {
     /// The line it is in, counted from one.
     line: u32,
     line_start: usize,
-    /// The byte that starts a comment, if the format has one.
-    comment: Option<u8>,
-    /// Whether a `\\` at the end of a line joins the next one to it.
-    is_continued: bool,
+    /// What each byte is in this format.
+    classes: [Class; 256],
+}
+
+/// What a byte is to a scanner.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Class {
+    /// A part of a word.
+    Word,
+    /// White space within a line.
+    Blank,
+    /// The end of a line, or its first byte.
+    End,
+    /// The start of a comment.
+    Comment,
+    /// What joins the next line to this one, where this one ends behind it; else a part of a word.
+    Joint,
 }
 
 /// A whole word.
@@ -33,20 +47,20 @@ pub(crate) struct Word<'a> {
 impl<'a> Scanner<'a> {
     pub fn new(text: &'a [u8], file: &'a str, comment: Option<u8>) -> Self {
         let start = if text.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
-        Self {
-            file,
-            text,
-            position: start,
-            line: 1,
-            line_start: start,
-            comment,
-            is_continued: false,
+        let mut classes = [Class::Word; 256];
+        b" \t\x0b\x0c".iter().for_each(|&byte| classes[usize::from(byte)] = Class::Blank);
+        b"\n\r".iter().for_each(|&byte| classes[usize::from(byte)] = Class::End);
+        if let Some(byte) = comment {
+            classes[usize::from(byte)] = Class::Comment;
         }
+        Self { file, text, position: start, line: 1, line_start: start, classes }
     }
 
-    /// A scanner of a format in which a `\\` at the end of a line joins the next one to it.
+    /// A scanner of a format in which a `\` at the end of a line joins the next one to it.
     pub fn with_continued_lines(text: &'a [u8], file: &'a str, comment: Option<u8>) -> Self {
-        Self { is_continued: true, ..Self::new(text, file, comment) }
+        let mut scanner = Self::new(text, file, comment);
+        scanner.classes[usize::from(b'\\')] = Class::Joint;
+        scanner
     }
 
     pub fn file(&self) -> &'a str {
@@ -68,10 +82,10 @@ impl<'a> Scanner<'a> {
     pub fn next_line(&mut self) -> bool {
         loop {
             self.skip_blanks();
-            match self.text.get(self.position) {
+            match self.class_at(self.position) {
                 None => return false,
-                Some(b'\n' | b'\r') => self.end_line(),
-                Some(&byte) if Some(byte) == self.comment => self.skip_to_line_end(),
+                Some(Class::End) => self.end_line(),
+                Some(Class::Comment) => self.skip_to_line_end(),
                 Some(_) => return true,
             }
         }
@@ -80,10 +94,9 @@ impl<'a> Scanner<'a> {
     /// Leaves the rest of the line, and of those joined to it.
     pub fn leave_line(&mut self) {
         self.skip_to_line_end();
-        while self.is_continued && self.text[..self.position].ends_with(b"\\") {
-            if self.left() == 0 {
-                break;
-            }
+        while self.left() > 0
+            && self.position.checked_sub(1).is_some_and(|last| self.is_joint(last))
+        {
             self.end_line();
             self.skip_to_line_end();
         }
@@ -93,10 +106,7 @@ impl<'a> Scanner<'a> {
     pub fn word(&mut self) -> Option<Word<'a>> {
         self.skip_blanks();
         let start = self.position;
-        while let Some(&byte) = self.text.get(self.position) {
-            if is_white(byte) || Some(byte) == self.comment || self.is_joint() {
-                break;
-            }
+        while !self.ends_word(self.position) {
             self.position += 1;
         }
         let bytes = &self.text[start..self.position];
@@ -113,8 +123,8 @@ impl<'a> Scanner<'a> {
 
     /// The error that the first word of a line read before is not what it should be.
     pub fn unexpected_in_line(&self, line: u32, expected: &'static str) -> SyntaxError {
-        let new = Self::new(self.text, self.file, self.comment);
-        let mut again = Self { is_continued: self.is_continued, ..new };
+        let start = self.first_byte();
+        let mut again = Self { position: start, line: 1, line_start: start, ..*self };
         while again.line < line && again.next_line() {
             again.leave_line();
             again.next_line();
@@ -131,6 +141,14 @@ impl<'a> Scanner<'a> {
 
     /// A finite number; `what` says which, for the message.
     pub fn real(&mut self, what: &'static str) -> Result<f64, SyntaxError> {
+        self.skip_blanks();
+        if let Ok((value, length)) = fast_float2::parse_partial::<f64, _>(self.unread())
+            && value.is_finite()
+            && self.ends_word(self.position + length)
+        {
+            self.position += length;
+            return Ok(value);
+        }
         let word = self.word().ok_or_else(|| self.missing(what))?;
         self.real_in(word, what)
     }
@@ -151,10 +169,38 @@ impl<'a> Scanner<'a> {
         least: i64,
         most: i64,
     ) -> Result<i64, SyntaxError> {
+        if let Some(value) = self.plain_integer(|value| (least..=most).contains(&value)) {
+            return Ok(value);
+        }
         match self.word() {
             Some(word) => self.integer_in(word, what, least, most),
             None => Err(self.missing(what)),
         }
+    }
+
+    /// Takes the next word of this line if it is a whole number of few digits without `+`, and is
+    /// wanted.
+    pub fn plain_integer(&mut self, is_wanted: impl FnOnce(i64) -> bool) -> Option<i64> {
+        self.skip_blanks();
+        let unread = self.unread();
+        let negative = unread.first() == Some(&b'-');
+        let digits = &unread[usize::from(negative)..];
+        let mut length = 0;
+        let mut value = 0_i64;
+        while let Some(digit) = digits.get(length).map(|byte| byte.wrapping_sub(b'0'))
+            && digit <= 9
+            && length < 18
+        {
+            value = 10 * value + i64::from(digit);
+            length += 1;
+        }
+        let value = if negative { -value } else { value };
+        let end = self.position + usize::from(negative) + length;
+        let is_whole = length > 0 && self.ends_word(end);
+        (is_whole && is_wanted(value)).then(|| {
+            self.position = end;
+            value
+        })
     }
 
     /// The whole number from `least` to `most` that a word is.
@@ -226,9 +272,9 @@ impl<'a> Scanner<'a> {
 
     fn skip_blanks(&mut self) {
         loop {
-            match self.text.get(self.position) {
-                Some(b' ' | b'\t' | 0x0b | 0x0c) => self.position += 1,
-                Some(b'\\') if self.is_joint() => {
+            match self.class_at(self.position) {
+                Some(Class::Blank) => self.position += 1,
+                Some(Class::Joint) if self.is_joint(self.position) => {
                     self.position += 1;
                     self.end_line();
                 }
@@ -237,11 +283,27 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Whether the next byte joins the next line to this one.
-    fn is_joint(&self) -> bool {
-        self.is_continued
-            && self.text[self.position] == b'\\'
-            && matches!(self.text.get(self.position + 1), Some(b'\n' | b'\r'))
+    fn unread(&self) -> &'a [u8] {
+        &self.text[self.position..]
+    }
+
+    fn class_at(&self, position: usize) -> Option<Class> {
+        self.text.get(position).map(|&byte| self.classes[usize::from(byte)])
+    }
+
+    /// Whether no word goes on at this position.
+    fn ends_word(&self, position: usize) -> bool {
+        match self.class_at(position) {
+            Some(Class::Word) => false,
+            Some(Class::Joint) => self.is_joint(position),
+            _ => true,
+        }
+    }
+
+    /// Whether the byte at this position joins the next line to its own.
+    fn is_joint(&self, position: usize) -> bool {
+        self.class_at(position) == Some(Class::Joint)
+            && self.class_at(position + 1) == Some(Class::End)
     }
 
     fn skip_to_line_end(&mut self) {

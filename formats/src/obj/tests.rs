@@ -92,7 +92,7 @@ fn vertices_that_are_not_there_are_named() {
     rejects(&square("l 1 -5\n"), &format!("a.obj:5:5: {known}, found `-5`"), "");
     let huge = "18446744073709551617";
     rejects(&square(&format!("l 1 {huge}\n")), &format!("a.obj:5:5: {known}, found `{huge}`"), "");
-    for word in ["1/x", "1/1/1/1", "/1", "1.0", "x"] {
+    for word in ["1/x", "1/1/1/1", "/1", "1.0", "x", "-9223372036854775808"] {
         let message = format!("a.obj:5:3: {known}, found `{word}`");
         rejects(&square(&format!("l {word} 2\n")), &message, "");
     }
