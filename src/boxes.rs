@@ -30,8 +30,21 @@ impl Rectangle {
         }
     }
 
-    fn overlaps(&self, other: &Self) -> bool {
+    /// Whether the two have a point in common.
+    pub fn overlaps(&self, other: &Self) -> bool {
         (0..2).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
+    }
+
+    /// What the two have in common, if they overlap.
+    pub fn intersection(&self, other: &Self) -> Self {
+        let corner = |k: usize| (self.low[k].max(other.low[k]), self.high[k].min(other.high[k]));
+        let [(left, right), (bottom, top)] = [corner(0), corner(1)];
+        Self { low: [left, bottom], high: [right, top] }
+    }
+
+    /// Whether a point lies in the rectangle.
+    pub fn contains(&self, point: [f64; 2]) -> bool {
+        (0..2).all(|k| self.low[k] <= point[k] && point[k] <= self.high[k])
     }
 
     /// The distance from a point to the rectangle, squared.

@@ -8,6 +8,7 @@ use super::lexicographic;
 use super::sweep::{Linework, Violation, cross};
 use crate::Pslg;
 use crate::boxes::{Boxes, Rectangle};
+use crate::constructions::crossing;
 use crate::predicates::{Side, side};
 
 /// This many of a kind are named in full.
@@ -72,11 +73,16 @@ impl fmt::Display for Conflicts {
             }
             more(f, count, of_kind().count(), !self.all_counted)?;
         }
+        let mends = match (self.count(ConflictKind::Overlap), self.counts.len()) {
+            (0, _) => "splits",
+            (_, 1) => "unites",
+            (_, _) => "splits and unites",
+        };
+        write!(f, "\nhelp: `--repair` {mends} them there")?;
         if !self.file.is_empty() && self.file != "-" {
             let stem = self.file.strip_suffix(".gz").unwrap_or(&self.file);
             let stem = stem.rsplit_once('.').map_or(stem, |(stem, _)| stem);
-            let file = &self.file;
-            write!(f, "\nhelp: `meshwright draw {file} -o {stem}.svg` shows the place")?;
+            write!(f, "; `meshwright draw {} -o {stem}.svg` shows the place", self.file)?;
         }
         Ok(())
     }
@@ -238,11 +244,7 @@ impl Dirty<'_> {
 
     /// Whether a point lies inside a segment, its ends excluded.
     fn is_inside(&self, point: u32, segment: u32) -> bool {
-        let [a, b] = ordered(self.ends(segment));
-        let place = self.linework.points[point as usize];
-        lexicographic(a, place).is_lt()
-            && lexicographic(place, b).is_lt()
-            && side(a, b, place) == Side::On
+        is_strictly_between(self.ends(segment), self.linework.points[point as usize])
     }
 
     fn is_isolated(&self, point: u32) -> bool {
@@ -286,12 +288,10 @@ fn ordered([a, b]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     if lexicographic(a, b).is_lt() { [a, b] } else { [b, a] }
 }
 
-/// Where two segments cross, rounded.
-fn crossing([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> [f64; 2] {
-    let cross = |[ux, uy]: [f64; 2], [vx, vy]: [f64; 2]| ux * vy - uy * vx;
-    let difference = |p: [f64; 2], q: [f64; 2]| [p[0] - q[0], p[1] - q[1]];
-    let (ab, cd, ac) = (difference(b, a), difference(d, c), difference(c, a));
-    // Segments that are nearly parallel may give anything here, or no number at all.
-    let part = (cross(ac, cd) / cross(ab, cd)).clamp(0.0, 1.0);
-    if part.is_nan() { a } else { [a[0] + part * ab[0], a[1] + part * ab[1]] }
+/// Whether a place lies on the segment with the given ends, but is none of them.
+pub(super) fn is_strictly_between(ends: [[f64; 2]; 2], place: [f64; 2]) -> bool {
+    let [a, b] = ordered(ends);
+    lexicographic(a, place).is_lt()
+        && lexicographic(place, b).is_lt()
+        && side(a, b, place) == Side::On
 }

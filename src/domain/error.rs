@@ -44,6 +44,29 @@ pub enum Error {
     /// Segments cross, touch or overlap.
     #[error("{0}")]
     Conflicts(Box<Conflicts>),
+    /// There is more to repair than bounded time and memory allow.
+    #[error(
+        "this is too tangled to repair: {pairs} pairs of segments lie near each other, \
+         {meetings} of them meet"
+    )]
+    TooTangled {
+        /// How many pairs of segments were looked at.
+        pairs: usize,
+        /// How many meetings were found.
+        meetings: usize,
+    },
+    /// What the tolerance of a repair joins brings ever more within it.
+    #[error(
+        "a tolerance of {} is too large for this outline: after {rounds} rounds it still joins \
+         points\nhelp: a smaller --tolerance joins fewer",
+        significant(*tolerance)
+    )]
+    Unsettled {
+        /// The tolerance, in the units of the outline.
+        tolerance: f64,
+        /// How many rounds were made.
+        rounds: usize,
+    },
     /// The seed of a hole or region lies on the outline.
     #[error(
         "{seed} lies on {on}: it does not say which side is meant{}\nhelp: move it inside",
@@ -164,6 +187,15 @@ pub enum Warning {
         /// The tags of each pair.
         tags: Vec<[i32; 2]>,
     },
+    /// Segments with different tags overlapped: what they shared has the tag of the first.
+    TagsOverlap {
+        /// How many pairs of segments.
+        count: usize,
+        /// Pairs of the segment whose tag stays and the other one.
+        first: Vec<[Item; 2]>,
+        /// The tags of each pair.
+        tags: Vec<[i32; 2]>,
+    },
     /// The outline has no segments: the convex hull of its points is meshed.
     NoSegments,
     /// Seeds of holes or regions outside of the outline were ignored.
@@ -245,6 +277,15 @@ impl fmt::Display for Warning {
                 }
                 more(f, *count, first.len(), false)
             }
+            Self::TagsOverlap { count, first, tags } => {
+                let overlaps = count_of(*count, "overlap");
+                write!(f, "{overlaps} of segments with different tags: the first tag stays there")?;
+                for ([kept, other], [tag, lost]) in first.iter().zip(tags) {
+                    write!(f, "\n  {other} (tag {lost}) runs along {kept} (tag {tag})")?;
+                    other.quote(f)?;
+                }
+                more(f, *count, first.len(), false)
+            }
             Self::NoSegments => write!(f, "no segments: the convex hull of the points is meshed"),
             Self::SeedsOutside { count, first } => {
                 list(f, *count, first, "outside of the outline ignored")
@@ -298,7 +339,7 @@ fn list(f: &mut fmt::Formatter<'_>, count: usize, first: &[Item], what: &str) ->
 }
 
 /// A length to three significant digits.
-fn significant(x: f64) -> String {
+pub(super) fn significant(x: f64) -> String {
     number(format!("{x:.2e}").parse().unwrap_or(x))
 }
 

@@ -14,6 +14,7 @@ mod meshed;
 mod nesting;
 mod precision;
 mod range;
+mod repair;
 mod status;
 mod sweep;
 #[cfg(test)]
@@ -28,6 +29,7 @@ pub use conflicts::{Conflict, ConflictKind, Conflicts};
 pub use error::{Error, Item, Kind, LimitedApex, OpenEnd, OpenEnds, Warning};
 pub use faces::{Faces, OUTSIDE};
 pub use precision::PrecisionLimit;
+pub use repair::{Repair, RepairKind, Repaired, Report, repair};
 
 use crate::formats::Enclosed;
 use crate::vector::Vector;

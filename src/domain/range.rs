@@ -27,13 +27,17 @@ pub fn scale_exponent(pslg: &Pslg) -> Result<i32, Error> {
     let exponent = exponent(largest);
     let scale = if exponent.abs() > UNSCALED { exponent } else { 0 };
     for (index, point) in (0..).zip(&pslg.points) {
-        let too_small = |c: f64| c != 0.0 && self::exponent(c) - scale < SMALLEST;
-        if let Some(&coordinate) = point.iter().find(|&&c| too_small(c)) {
+        if let Some(&coordinate) = point.iter().find(|&&c| is_too_small(c, scale)) {
             let item = Item::new(pslg, Kind::Point, index);
             return Err(Error::TooSmall { item: Box::new(item), coordinate, largest });
         }
     }
     Ok(scale)
+}
+
+/// Whether a coordinate × 2^−`scale` is too close to zero for exact arithmetic.
+pub fn is_too_small(coordinate: f64, scale: i32) -> bool {
+    coordinate != 0.0 && exponent(coordinate) - scale < SMALLEST
 }
 
 /// `point` × 2^−`exponent`. Exact for points of the outline; a seed far outside of it may

@@ -69,7 +69,7 @@ proptest! {
 }
 
 /// An outline as if read from a one-based `.poly` file, its points on lines 2, 3, …
-fn file(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
+pub(super) fn file(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
     let mut pslg = outline(points, segments);
     pslg.source.file = "site.poly".to_owned();
     pslg.source.first_number = 1;
@@ -90,11 +90,11 @@ fn warnings(pslg: &Pslg) -> Vec<String> {
     warnings.iter().map(ToString::to_string).collect()
 }
 
-const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-const LOOP: [[u32; 2]; 4] = [[0, 1], [1, 2], [2, 3], [3, 0]];
+pub(super) const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+pub(super) const LOOP: [[u32; 2]; 4] = [[0, 1], [1, 2], [2, 3], [3, 0]];
 
 /// The square with more points and segments.
-fn square_and(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
+pub(super) fn square_and(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
     file(&[&SQUARE, points].concat(), &[&LOOP, segments].concat())
 }
 
@@ -105,7 +105,8 @@ fn crossing_segments_are_both_named() {
         "segments 5 and 6 cross near (0.5, 0.5)\n\
          \x20 site.poly:11: 5 1 3\n\
          \x20 site.poly:12: 6 2 4\n\
-         help: `meshwright draw site.poly -o site.svg` shows the place"
+         help: `--repair` splits them there; \
+         `meshwright draw site.poly -o site.svg` shows the place"
     );
 }
 
