@@ -23,7 +23,8 @@ impl Rectangle {
         Self { low: [a[0].min(b[0]), a[1].min(b[1])], high: [a[0].max(b[0]), a[1].max(b[1])] }
     }
 
-    fn union(self, other: Self) -> Self {
+    /// The smallest rectangle around both.
+    pub fn union(self, other: Self) -> Self {
         Self {
             low: [self.low[0].min(other.low[0]), self.low[1].min(other.low[1])],
             high: [self.high[0].max(other.high[0]), self.high[1].max(other.high[1])],

@@ -11,6 +11,7 @@ use serde_json::Value;
 use super::failure::Failure;
 use super::json::VERSION;
 use super::options::{ReadOptions, Scale};
+use super::repair::RepairOptions;
 use super::words::{self, EXCUSES, HOLES, REGIONS};
 
 /// What `check` takes from a certificate file.
@@ -21,6 +22,8 @@ pub struct Held {
     pub read: ReadOptions,
     /// By how much the outline's lengths were multiplied.
     pub scale: Scale,
+    /// How the outline was mended.
+    pub repair: RepairOptions,
 }
 
 /// Reads what a mesh was held to.
@@ -49,7 +52,11 @@ fn held(object: &Value) -> Option<Held> {
         Value::Null => Scale::default(),
         factor => Scale::by(factor.as_f64().filter(|&f| f > 0.0 && f.is_finite())?),
     };
-    Some(Held { promise, read: read_options(&object["reading"])?, scale })
+    let repair = match &object["repair"] {
+        Value::Null => RepairOptions::default(),
+        repair => RepairOptions::within(repair["tolerance"].as_f64()?),
+    };
+    Some(Held { promise, read: read_options(&object["reading"])?, scale, repair })
 }
 
 fn read_options(reading: &Value) -> Option<ReadOptions> {

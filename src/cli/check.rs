@@ -12,6 +12,7 @@ use super::format::{Format, listed};
 use super::input::{self, Content};
 use super::json;
 use super::options::{PromiseOptions, ReadOptions, Scale};
+use super::repair::RepairOptions;
 use super::summary::excused_text;
 use super::voice::{Voice, print};
 
@@ -32,9 +33,12 @@ pub struct Arguments {
     promise: PromiseOptions,
     #[command(flatten)]
     scale: Scale,
+    #[command(flatten)]
+    repair: RepairOptions,
     /// Take what the mesh is held to from this file, which `mesh --certificate` wrote.
     #[arg(long, value_name = "FILE.json",
-          conflicts_with_all = ["profile", "min_angle", "no_guarantee", "region", "excuse", "holes", "faces", "scale"])]
+          conflicts_with_all = ["profile", "min_angle", "no_guarantee", "region", "excuse", "holes",
+                                "faces", "scale", "repair", "tolerance"])]
     certificate: Option<PathBuf>,
     /// Print the verdict as JSON.
     #[arg(long)]
@@ -51,26 +55,36 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
             listed(Format::meshes_are_read)
         )));
     };
-    let Held { promise, read, scale } = match &arguments.certificate {
+    let Held { promise, read, scale, repair } = match &arguments.certificate {
         Some(path) => certificate::read(path)?,
         None => Held {
             promise: arguments.promise.promise()?,
             read: arguments.read,
             scale: arguments.scale,
+            repair: arguments.repair,
         },
     };
-    let certificate = match &arguments.input {
+    let mended = match &arguments.input {
         Some(path) => {
             let (mut pslg, _) = input::outline(path, None, read, voice)?;
             scale.apply(&mut pslg);
-            certify::certify(&pslg, mesh, &promise)
+            Some(repair.mend(pslg, voice)?)
         }
+        None => None,
+    };
+    let certificate = match &mended {
+        Some(mended) => certify::certify(mended.outline(), mesh, &promise),
         None => certify::certify_alone(mesh, &promise),
     };
     if arguments.json {
         let statistics = Statistics::of(mesh);
-        print(&json::check(&judged, &statistics, &certificate, voice.warnings()))?;
+        let mended = mended.as_ref();
+        print(&json::check(&judged, mended, &statistics, &certificate, voice.warnings()))?;
     } else if !voice.quiet {
+        if let Some(text) = mended.as_ref().and_then(|mended| mended.text(voice.verbose)) {
+            let text = text.replace('\n', &format!("\n{:14}", ""));
+            print(format!("{:<13} {text}\n", "repaired").as_bytes())?;
+        }
         print(certificate.to_string().as_bytes())?;
         if voice.verbose {
             print(details(&certificate).as_bytes())?;

@@ -14,6 +14,7 @@ use super::input;
 use super::notes::Notes;
 use super::options::{ReadOptions, Scale};
 use super::output::{Pending, STDOUT, check_places};
+use super::repair::RepairOptions;
 use super::summary::outline_counts;
 use super::voice::Voice;
 use super::wording::{bytes, count};
@@ -35,6 +36,8 @@ pub struct Arguments {
     read: ReadOptions,
     #[command(flatten)]
     scale: Scale,
+    #[command(flatten)]
+    repair: RepairOptions,
     /// Write nothing where the output cannot hold all of the outline, or anything else is warned
     /// of.
     #[arg(long)]
@@ -48,6 +51,9 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         input::outline(&arguments.input, arguments.from, arguments.read, voice)?;
     check_places(std::slice::from_ref(&arguments.output), &input.files)?;
     arguments.scale.apply(&mut pslg);
+    let mended = arguments.repair.mend(pslg, voice)?;
+    mended.say(voice);
+    let mut pslg = mended.into_outline();
     keep_what_is_meshed(&mut pslg, format, voice);
     let (pending, said) = Pending::write(&arguments.output, |out| write(&pslg, format, out))?;
     let mut notes = Notes::default();
@@ -85,7 +91,8 @@ impl Arguments {
     }
 }
 
-fn write(pslg: &Pslg, format: Format, mut out: &mut dyn Write) -> io::Result<Vec<Note>> {
+/// Writes an outline.
+pub fn write(pslg: &Pslg, format: Format, mut out: &mut dyn Write) -> io::Result<Vec<Note>> {
     match format {
         Format::Obj => obj::write_outline(pslg, &mut out),
         _ => poly::write_outline(pslg, &mut out),
@@ -94,7 +101,7 @@ fn write(pslg: &Pslg, format: Format, mut out: &mut dyn Write) -> io::Result<Vec
 
 /// Lets the file mean what the outline means, where its format can: a `.poly` file tells holes by
 /// seeds, an `.obj` file by nesting.
-fn keep_what_is_meshed(pslg: &mut Pslg, format: Format, voice: &Voice) {
+pub fn keep_what_is_meshed(pslg: &mut Pslg, format: Format, voice: &Voice) {
     match (format, pslg.enclosed) {
         (Format::Obj, Enclosed::EvenOdd) | (Format::Poly, Enclosed::All) => {}
         (Format::Obj, _) => {

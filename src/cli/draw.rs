@@ -13,6 +13,7 @@ use super::format::Format;
 use super::input::{self, Content};
 use super::options::{PromiseOptions, ReadOptions, Scale, zoom_box};
 use super::output::{Pending, STDOUT, Written, check_places};
+use super::repair::RepairOptions;
 use super::trace::{self, Film};
 use super::voice::Voice;
 use super::wording::bytes;
@@ -60,6 +61,8 @@ pub struct Arguments {
     promise: PromiseOptions,
     #[command(flatten)]
     scale: Scale,
+    #[command(flatten)]
+    repair: RepairOptions,
 }
 
 /// Draws.
@@ -88,11 +91,14 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         }
         (Content::Outline(pslg), None) => {
             arguments.scale.apply(pslg);
+            let mended = arguments.repair.mend(std::mem::take(pslg), voice)?;
+            *pslg = mended.into_outline();
             conflicts(pslg, &promise)
         }
         (Content::Mesh(mesh), Some((mut pslg, _))) => {
             arguments.scale.apply(&mut pslg);
-            let certificate = certify::certify(&pslg, mesh, &promise);
+            let mended = arguments.repair.mend(pslg, voice)?;
+            let certificate = certify::certify(mended.outline(), mesh, &promise);
             findings(mesh, &certificate)
         }
         (Content::Mesh(_), None) => Vec::new(),

@@ -13,6 +13,7 @@ use super::format::Format;
 use super::input::{self, Content, Input};
 use super::json;
 use super::options::ReadOptions;
+use super::repair::{Mended, RepairOptions};
 use super::summary::outline_counts;
 use super::voice::{Voice, print};
 use super::wording::{angle, count, grouped, place, significant};
@@ -27,6 +28,8 @@ pub struct Arguments {
     from: Option<Format>,
     #[command(flatten)]
     read: ReadOptions,
+    #[command(flatten)]
+    repair: RepairOptions,
     /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
@@ -60,22 +63,23 @@ pub struct DomainFacts {
 
 /// Tells. A file that can be read is a success, whatever it holds.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
-    let input = input::any(&arguments.file, arguments.from, arguments.read, voice)?;
-    let text = match &input.content {
+    let mut input = input::any(&arguments.file, arguments.from, arguments.read, voice)?;
+    let text = match std::mem::replace(&mut input.content, Content::Mesh(Mesh::default())) {
         Content::Outline(pslg) => {
-            let facts = OutlineFacts::of(pslg);
+            let mended = arguments.repair.mend(pslg, voice)?;
+            let facts = OutlineFacts::of(mended.outline());
             if arguments.json {
-                json::outline_info(&input, pslg, &facts, voice.warnings())
+                json::outline_info(&input, &mended, &facts, voice.warnings())
             } else {
-                outline(&input, pslg, &facts).into_bytes()
+                outline(&input, &mended, &facts, voice).into_bytes()
             }
         }
         Content::Mesh(mesh) => {
-            let statistics = Statistics::of(mesh);
+            let statistics = Statistics::of(&mesh);
             if arguments.json {
                 json::mesh_info(&input, &statistics, voice.warnings())
             } else {
-                self::mesh(&input, mesh, &statistics).into_bytes()
+                self::mesh(&input, &mesh, &statistics).into_bytes()
             }
         }
     };
@@ -96,13 +100,17 @@ impl OutlineFacts {
     }
 }
 
-fn outline(input: &Input, pslg: &Pslg, facts: &OutlineFacts) -> String {
+fn outline(input: &Input, mended: &Mended, facts: &OutlineFacts, voice: &Voice) -> String {
+    let pslg = mended.outline();
     let base = match pslg.source.first_number {
         0 => "zero-based",
         _ => "one-based",
     };
     let (format, counts) = (input.format.name(), outline_counts(pslg));
     let mut text = line("file", &format!("{}: {format}, {base}, {counts}", input.name));
+    if let Some(mended) = mended.text(voice.verbose) {
+        text += &line("repaired", &indented(&mended));
+    }
     if let Some(extent) = facts.extent {
         text += &line("extent", &extent_text(extent));
     }

@@ -4,7 +4,7 @@
 //! *numbers* are those of the user's files. Angles are in degrees.
 
 use meshwright::certify::{Certificate, Fault, Judgement, NarrowTo, Promise, Verdict};
-use meshwright::domain::{self, Angle, ClosestPair, Domain, Feature};
+use meshwright::domain::{self, Angle, ClosestPair, Domain, Feature, Repair};
 use meshwright::formats::Pslg;
 use meshwright::refine::End;
 use meshwright::refine::incremental::{self, Introduction};
@@ -18,6 +18,7 @@ use super::info::OutlineFacts;
 use super::input::Input;
 use super::options::{ReadOptions, Scale};
 use super::output::Written;
+use super::repair::Mended;
 use super::words::{EXCUSES, HOLES, REGIONS, RULES, SPLITTINGS, STEINERS, word};
 
 /// The version of these objects: it changes when a reader of them would have to change.
@@ -29,6 +30,8 @@ pub struct MeshReport<'a> {
     pub input: &'a Input,
     /// The outline.
     pub pslg: &'a Pslg,
+    /// What was mended in it.
+    pub mended: &'a Mended,
     /// The run.
     pub outcome: &'a Outcome,
     /// The mesh's counts and angles.
@@ -72,6 +75,7 @@ pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
     };
     for (name, value) in [
         ("outline", outline),
+        ("repair", repair(report.mended)),
         ("parameters", parameters(report.parameters)),
         ("mesh", mesh(report.statistics)),
         ("certificate", certificate(&outcome.certificate)),
@@ -88,19 +92,27 @@ pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
     finished(object)
 }
 
+/// What a mesh was made from, besides its outline.
+pub struct MadeFrom<'a> {
+    /// How the outline was read.
+    pub read: ReadOptions,
+    /// By how much its lengths were multiplied.
+    pub scale: Scale,
+    /// The tolerance by which the outline was mended, if it was.
+    pub tolerance: Option<f64>,
+    /// What was asked.
+    pub parameters: &'a Parameters,
+}
+
 /// The certificate file of `mesh`: the verdict, and what it was judged by.
-pub fn certificate_file(
-    input: &Input,
-    (read, scale): (ReadOptions, Scale),
-    parameters: &Parameters,
-    certificate: &Certificate,
-) -> Vec<u8> {
+pub fn certificate_file(input: &Input, from: &MadeFrom, certificate: &Certificate) -> Vec<u8> {
     let mut object = header("certificate");
     object.extend(file(input));
     for (name, value) in [
-        ("reading", reading(read)),
-        ("scale", json!(scale.factor())),
-        ("parameters", self::parameters(parameters)),
+        ("reading", reading(from.read)),
+        ("scale", json!(from.scale.factor())),
+        ("repair", json!(from.tolerance.map(|tolerance| json!({ "tolerance": tolerance })))),
+        ("parameters", parameters(from.parameters)),
         ("certificate", self::certificate(certificate)),
     ] {
         object.insert(name.into(), value);
@@ -123,6 +135,31 @@ fn introduction(introduction: &Introduction, pslg: &Pslg) -> Value {
     let mut object = introduced(introduction, pslg);
     object["early"] = introduction.called_by.is_some().into();
     object
+}
+
+/// What was mended, each with the numbers and lines of the outline's file; null where nothing was
+/// to be.
+fn repair(mended: &Mended) -> Value {
+    let Some(report) = mended.report() else {
+        return Value::Null;
+    };
+    let of_repair = |repair: &Repair| {
+        let point = |&point: &u32| report.point_number(point);
+        let segment = |&segment: &u32| report.segment_number(segment);
+        let lines = report.lines(repair);
+        json!({
+            "kind": repair.kind().noun(),
+            "points": repair.points().iter().map(point).collect::<Vec<_>>(),
+            "segments": repair.segments().iter().map(segment).collect::<Vec<_>>(),
+            "place": repair.points().first().map(|&point| report.place(point)),
+            "distance": repair.distance(),
+            "lines": lines.iter().map(|(file, line)| json!([file, line])).collect::<Vec<_>>(),
+        })
+    };
+    json!({
+        "tolerance": mended.tolerance(),
+        "mended": report.repairs().iter().map(of_repair).collect::<Vec<_>>(),
+    })
 }
 
 fn missed(missed: &Missed) -> Value {
@@ -158,13 +195,14 @@ pub fn parameters(parameters: &Parameters) -> Value {
 /// The answer of `info` about an outline.
 pub fn outline_info(
     input: &Input,
-    pslg: &Pslg,
+    mended: &Mended,
     facts: &OutlineFacts,
     mut warnings: Vec<String>,
 ) -> Vec<u8> {
     let mut object = header("info");
     object.extend(file(input));
-    object.insert("outline".into(), outline(pslg, facts));
+    object.insert("repair".into(), repair(mended));
+    object.insert("outline".into(), outline(mended.outline(), facts));
     let of_domain = facts.domain.iter().flat_map(|facts| &facts.warnings);
     warnings.extend(of_domain.map(ToString::to_string));
     object.insert("warnings".into(), json!(warnings));
@@ -269,12 +307,14 @@ fn mesh(statistics: &Statistics) -> Value {
 /// The verdict of `check`.
 pub fn check(
     input: &Input,
+    mended: Option<&Mended>,
     statistics: &Statistics,
     certificate: &Certificate,
     warnings: Vec<String>,
 ) -> Vec<u8> {
     let mut object = header("check");
     object.extend(file(input));
+    object.insert("repair".into(), mended.map_or(Value::Null, repair));
     object.insert("mesh".into(), mesh(statistics));
     object.insert("certificate".into(), self::certificate(certificate));
     object.insert("warnings".into(), json!(warnings));

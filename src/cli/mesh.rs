@@ -11,15 +11,17 @@ use meshwright::formats::{Mesh, Pslg, edge, ele, gltf, msh, neigh, node, poly, v
 use meshwright::refine::End;
 use meshwright::{Error, Outcome, Parameters, Rule, Warning, mesh_with};
 
+use super::convert;
 use super::failure::{Exit, Failure};
 use super::format::{Format, listed};
 use super::input;
-use super::json::{self, MeshReport};
+use super::json::{self, MadeFrom, MeshReport};
 use super::notes::Notes;
 use super::options::{ReadOptions, Scale};
 use super::output::{Pending, STDOUT, Written, check_places};
 use super::progress::ProgressLine;
 use super::refining::RefineOptions;
+use super::repair::RepairOptions;
 use super::summary::Summary;
 use super::triangle::{is_beside, tell_incomplete};
 use super::voice::{Voice, print};
@@ -46,6 +48,11 @@ pub struct Arguments {
     refine: RefineOptions,
     #[command(flatten)]
     scale: Scale,
+    #[command(flatten)]
+    repair: RepairOptions,
+    /// Write the mended outline to this .poly or .obj file.
+    #[arg(long, value_name = "FILE", requires = "repair")]
+    write_repaired: Option<PathBuf>,
     /// Renumber groups so that no number serves a boundary and a region (.msh).
     #[arg(long)]
     unique_ids: bool,
@@ -67,13 +74,14 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let parameters = arguments.refine.parameters()?;
     let (mut pslg, input) =
         input::outline(&arguments.input, arguments.from, arguments.read, voice)?;
-    let places: Vec<PathBuf> =
-        arguments.output.iter().chain(&arguments.certificate).cloned().collect();
-    check_places(&places, &input.files)?;
+    check_places(&arguments.places(), &input.files)?;
     arguments.scale.apply(&mut pslg);
+    let mended = arguments.repair.mend(pslg, voice)?;
+    let pslg = mended.outline();
+    mended.say(voice);
 
     let line = ProgressLine::new(voice);
-    let meshed = mesh_with(&pslg, &parameters, &mut |progress| line.show(progress));
+    let meshed = mesh_with(pslg, &parameters, &mut |progress| line.show(progress));
     let took = line.finish();
     let outcome = meshed.map_err(failure)?;
     outcome.warnings.iter().for_each(|warning| voice.warn(warning));
@@ -81,20 +89,26 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         voice.warn(limit(&outcome.certificate));
     }
 
-    let summary = Summary::new(&pslg, &outcome, parameters.soft_angle);
+    let summary = Summary::new(pslg, &outcome, parameters.soft_angle);
     summary.say_mesh(&input.name, took, voice);
-    let reading = (arguments.read, arguments.scale);
-    let certificate = json::certificate_file(&input, reading, &parameters, &outcome.certificate);
-    let (written, notes) = arguments.write(&outcome.mesh, &pslg, &formats, &certificate)?;
+    let made_from = MadeFrom {
+        read: arguments.read,
+        scale: arguments.scale,
+        tolerance: mended.tolerance(),
+        parameters: &parameters,
+    };
+    let certificate = json::certificate_file(&input, &made_from, &outcome.certificate);
+    let (written, notes) = arguments.write(&outcome.mesh, pslg, &formats, &certificate, voice)?;
     notes.say(voice);
     tell_incomplete(&arguments.outputs(&formats), voice);
     summary.say_written(&written, voice);
 
-    let exit = verdict(&outcome, &pslg, &parameters, arguments.strict, voice);
+    let exit = verdict(&outcome, pslg, &parameters, arguments.strict, voice);
     if arguments.json {
         print(&json::mesh_run(&MeshReport {
             input: &input,
-            pslg: &pslg,
+            pslg,
+            mended: &mended,
             outcome: &outcome,
             statistics: &summary.statistics,
             parameters: &parameters,
@@ -116,7 +130,27 @@ impl Arguments {
         if self.certificate.as_ref().is_some_and(wants_stdout) {
             return Err(Failure::usage("a certificate is written to a file; --json holds it too"));
         }
+        self.format_of_repaired()?;
         self.output.iter().map(|output| self.format(output)).collect()
+    }
+
+    /// Where the mended outline is written, and in which format.
+    fn format_of_repaired(&self) -> Result<Option<(&PathBuf, Format)>, Failure> {
+        let Some(place) = &self.write_repaired else { return Ok(None) };
+        match Format::of(place) {
+            Some(format) if format.outlines_are_written() => Ok(Some((place, format))),
+            _ => Err(Failure::usage(format!(
+                "{}: outlines are written to {}",
+                place.display(),
+                listed(Format::outlines_are_written)
+            ))),
+        }
+    }
+
+    /// Every file that is to be written.
+    fn places(&self) -> Vec<PathBuf> {
+        let others = self.certificate.iter().chain(&self.write_repaired);
+        self.output.iter().chain(others).cloned().collect()
     }
 
     fn format(&self, output: &Path) -> Result<Format, Failure> {
@@ -156,6 +190,7 @@ impl Arguments {
         pslg: &Pslg,
         formats: &[Format],
         certificate: &[u8],
+        voice: &Voice,
     ) -> Result<(Outputs, Notes), Failure> {
         let outputs = self.outputs(formats);
         let mut notes = Notes::default();
@@ -177,7 +212,16 @@ impl Arguments {
         let write_certificate =
             |place: &PathBuf| Pending::write(place, |out| out.write_all(certificate));
         let certificate = self.certificate.as_ref().map(write_certificate).transpose()?;
-        let finish = |(file, &format): (Pending, _)| file.finish().map(|file| (file, format));
+        let mut formats = formats.to_vec();
+        if let Some((place, format)) = self.format_of_repaired()? {
+            let mut outline = pslg.clone();
+            convert::keep_what_is_meshed(&mut outline, format, voice);
+            let (file, said) = Pending::write(place, |out| convert::write(&outline, format, out))?;
+            pending.push(file);
+            formats.push(format);
+            notes.add(place, said);
+        }
+        let finish = |(file, format): (Pending, _)| file.finish().map(|file| (file, format));
         let written = pending.into_iter().zip(formats).map(finish).collect::<Result<_, _>>()?;
         if let Some((file, ())) = certificate {
             file.finish()?;

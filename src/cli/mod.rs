@@ -15,6 +15,7 @@ mod options;
 mod output;
 mod progress;
 mod refining;
+mod repair;
 mod shell;
 mod summary;
 mod trace;

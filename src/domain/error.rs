@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::conflicts::{Conflicts, IN_FULL};
 pub use super::item::{Item, Kind};
+use super::open_ends::OpenEnds;
 
 /// Why an outline cannot be meshed. Items are named by the numbers and lines of their file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -81,7 +82,8 @@ pub enum Error {
     /// The segments form no closed loop.
     #[error(
         "the outline encloses nothing{open_ends}\n\
-         help: `--region hull` meshes the convex hull of the points"
+         help: {}`--region hull` meshes the convex hull of the points",
+        .open_ends.advice().map(|advice| advice + "; ").unwrap_or_default()
     )]
     EnclosesNothing {
         /// Where it is open.
@@ -98,8 +100,9 @@ pub enum Error {
     },
     /// The holes take everything out.
     #[error(
-        "the holes leave nothing to mesh{open_ends}{}",
-        Quoted(&holes.iter().take(IN_FULL).collect::<Vec<_>>())
+        "the holes leave nothing to mesh{open_ends}{}{}",
+        Quoted(&holes.iter().take(IN_FULL).collect::<Vec<_>>()),
+        .open_ends.advice().map(|advice| format!("\nhelp: {advice}")).unwrap_or_default()
     )]
     HolesLeaveNothing {
         /// The holes.
@@ -107,50 +110,6 @@ pub enum Error {
         /// Where their outlines may be open.
         open_ends: OpenEnds,
     },
-}
-
-/// Points at which a single segment ends.
-#[derive(Debug, Clone, PartialEq)]
-pub struct OpenEnds {
-    /// How many there are.
-    pub count: usize,
-    /// Those with the narrowest gaps.
-    pub first: Vec<OpenEnd>,
-}
-
-/// A point at which a single segment ends.
-#[derive(Debug, Clone, PartialEq)]
-pub struct OpenEnd {
-    /// The point.
-    pub point: Item,
-    /// The nearest other one and its distance, in the units of the outline.
-    pub nearest: Option<(Item, f64)>,
-}
-
-impl fmt::Display for OpenEnds {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, OpenEnd { point, nearest }) in self.first.iter().enumerate() {
-            f.write_str(if index == 0 { ": " } else { "\n" })?;
-            match nearest {
-                None => write!(f, "{point} is an open end{}", Quoted(&[point]))?,
-                Some((other, distance)) => {
-                    let [a, b] = [point.number, other.number];
-                    write!(
-                        f,
-                        "points {a} and {b} are open ends, {} apart",
-                        significant(*distance)
-                    )?;
-                    write!(f, "{}", Quoted(&[point, other]))?;
-                }
-            }
-        }
-        let named = |end: &OpenEnd| 1 + usize::from(end.nearest.is_some());
-        let named: usize = self.first.iter().map(named).sum();
-        if self.count > named {
-            write!(f, "\nand {} more", count_of(self.count - named, "open end"))?;
-        }
-        Ok(())
-    }
 }
 
 /// What was merged, dropped or left out: nothing is in silence. `first` holds the first three.

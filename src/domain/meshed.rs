@@ -2,12 +2,12 @@
 //! [`Enclosed`] tells, but for those with a hole seed.
 
 use super::conflicts::IN_FULL;
-use super::error::{Error, Item, Kind, OpenEnd, OpenEnds, Warning};
+use super::error::{Error, Item, Kind, Warning};
 use super::faces::{Faces, OUTSIDE};
 use super::nesting::nested_oddly;
+use super::open_ends::OpenEnds;
 use super::sweep::{Linework, Located, Place};
 use crate::Pslg;
-use crate::boxes::{Boxes, Rectangle};
 use crate::formats::Enclosed;
 
 /// A clean linework, what lies where in it, and what it was made from.
@@ -49,7 +49,7 @@ impl Clean<'_> {
         let holes = self.take_holes_out(&mut faces, warnings)?;
         let regions = self.set_regions(&mut faces, warnings)?;
         if !(0..faces.count()).any(|face| faces.is_meshed(face)) {
-            let open_ends = self.open_ends();
+            let open_ends = OpenEnds::of(self.pslg, &self.linework, self.input_points);
             return Err(if !holes.is_empty() {
                 let holes = holes.iter().map(|&hole| self.item(Kind::Hole, hole)).collect();
                 Error::HolesLeaveNothing { holes, open_ends }
@@ -187,48 +187,6 @@ impl Clean<'_> {
                 warnings.push(Warning::LeftOut { count, first });
             }
         }
-    }
-
-    /// The points at which only one segment ends, each with the nearest other one, the narrowest
-    /// gaps first.
-    fn open_ends(&self) -> OpenEnds {
-        let is_open = |&point: &u32| self.linework.adjoining_at(point).len() == 1;
-        let ends: Vec<u32> = (0..self.linework.points.len() as u32).filter(is_open).collect();
-        let place = |index: u32| self.linework.points[ends[index as usize] as usize];
-        let indices = 0..ends.len() as u32;
-        let rectangles: Vec<_> =
-            indices.clone().map(|i| Rectangle::around(place(i), place(i))).collect();
-        let boxes = Boxes::new(&rectangles);
-        let distance = |i: u32, j: u32| {
-            let ([ax, ay], [bx, by]) = (place(i), place(j));
-            libm::hypot(ax - bx, ay - by)
-        };
-        let mut budget = usize::MAX;
-        let mut nearest = |i: u32| {
-            let squared = |j: u32| match distance(i, j) {
-                _ if i == j => f64::INFINITY,
-                distance => distance * distance,
-            };
-            let found = boxes.nearest(place(i), f64::INFINITY, &mut budget, |_| false, squared);
-            found.map_or(i, |(j, _)| j)
-        };
-        let mut pairs: Vec<[u32; 2]> =
-            indices.map(|i| (i, nearest(i))).map(|(i, j)| [i.min(j), i.max(j)]).collect();
-        pairs.sort_by(|&[i, j], &[k, l]| {
-            distance(i, j).total_cmp(&distance(k, l)).then([i, j].cmp(&[k, l]))
-        });
-        pairs.dedup();
-        let item = |i: u32| self.item(Kind::Point, self.input_points[ends[i as usize] as usize]);
-        let first = pairs.iter().take(IN_FULL).map(|&[i, j]| OpenEnd {
-            point: item(i),
-            nearest: (i != j).then(|| {
-                let [a, b] = [i, j].map(|i| {
-                    self.pslg.points[self.input_points[ends[i as usize] as usize] as usize]
-                });
-                (item(j), libm::hypot(a[0] - b[0], a[1] - b[1]))
-            }),
-        });
-        OpenEnds { count: ends.len(), first: first.collect() }
     }
 
     fn item(&self, kind: Kind, index: u32) -> Item {

@@ -12,6 +12,7 @@ mod item;
 mod merge;
 mod meshed;
 mod nesting;
+mod open_ends;
 mod precision;
 mod range;
 mod repair;
@@ -26,8 +27,9 @@ use std::sync::OnceLock;
 pub use angles::Angle;
 pub use closest::{ClosestPair, Feature};
 pub use conflicts::{Conflict, ConflictKind, Conflicts};
-pub use error::{Error, Item, Kind, LimitedApex, OpenEnd, OpenEnds, Warning};
+pub use error::{Error, Item, Kind, LimitedApex, Warning};
 pub use faces::{Faces, OUTSIDE};
+pub use open_ends::{OpenEnd, OpenEnds};
 pub use precision::PrecisionLimit;
 pub use repair::{Repair, RepairKind, Repaired, Report, repair};
 

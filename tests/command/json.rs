@@ -92,6 +92,36 @@ fn info_reports_as_the_schema_says() {
 }
 
 #[test]
+fn what_was_mended_is_reported_as_the_schema_says() {
+    let bench = Bench::with("json-repair", "site.poly", CROSSING);
+    let ran = bench.succeeds(
+        "mesh site.poly --repair -o a.vtu --certificate a.json --write-repaired b.poly --json",
+    );
+    let meshed = report(&ran);
+    let mended = serde_json::json!([{
+        "kind": "crossing",
+        "points": [5],
+        "segments": [5, 6],
+        "place": [0.5, 0.5],
+        "distance": null,
+        "lines": [["site.poly", 11], ["site.poly", 12]],
+    }]);
+    assert_eq!(meshed["repair"], serde_json::json!({ "tolerance": 0.0, "mended": mended }));
+    assert_eq!(meshed["outputs"][1]["file"], "b.poly");
+
+    let file = String::from_utf8(bench.read("a.json")).expect("JSON is UTF-8");
+    let file = report(&Ran { stdout: file, ..bench.succeeds("--version") });
+    assert_eq!(file["repair"]["tolerance"], 0.0);
+    let checked =
+        report(&bench.succeeds("check a.vtu --input site.poly --certificate a.json --json"));
+    assert_eq!(checked["repair"]["mended"], mended);
+    let told = report(&bench.succeeds("info site.poly --repair --json"));
+    assert_eq!((&told["repair"]["mended"], &told["outline"]["ready"]), (&mended, &true.into()));
+    let plain = report(&bench.succeeds("check a.vtu --input b.poly --json"));
+    assert_eq!(plain["repair"], Value::Null);
+}
+
+#[test]
 fn the_schema_judge_finds_what_breaks_a_schema() {
     let schema: Value = serde_json::json!({
         "type": "object",

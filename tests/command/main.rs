@@ -6,6 +6,7 @@ mod files;
 mod json;
 mod messages;
 mod outlines;
+mod repairing;
 mod schema;
 mod signals;
 mod tracing;

@@ -26,7 +26,7 @@ fn crossing_segments_are_both_named() {
 error: segments 5 and 6 cross near (0.5, 0.5)
   site.poly:11: 5 1 3
   site.poly:12: 6 2 4
-help: `meshwright draw site.poly -o site.svg` shows the place
+help: `--repair` splits them there; `meshwright draw site.poly -o site.svg` shows the place
 "
     );
 }

@@ -15,6 +15,7 @@ use super::mesh::failure;
 use super::options::{ReadOptions, Scale};
 use super::output::{Pending, STDOUT, check_places};
 use super::refining::RefineOptions;
+use super::repair::RepairOptions;
 use super::voice::Voice;
 use super::wording::{bytes, count};
 use lines::Lines;
@@ -37,6 +38,8 @@ pub struct Arguments {
     refine: RefineOptions,
     #[command(flatten)]
     scale: Scale,
+    #[command(flatten)]
+    repair: RepairOptions,
 }
 
 /// Refines, and writes what it does.
@@ -46,8 +49,11 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         input::outline(&arguments.input, arguments.from, arguments.read, voice)?;
     check_places(std::slice::from_ref(&arguments.output), &input.files)?;
     arguments.scale.apply(&mut pslg);
+    let mended = arguments.repair.mend(pslg, voice)?;
+    let pslg = mended.outline();
+    mended.say(voice);
 
-    let mut lines = Lines::new(&input.name, &pslg, &parameters);
+    let mut lines = Lines::new(&input.name, pslg, &parameters);
     let (pending, traced) = Pending::write(&arguments.output, |out| {
         let mut written = Ok(());
         let mut put = |line: String| {
@@ -55,7 +61,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
                 written = writeln!(out, "{line}");
             }
         };
-        let traced = meshwright::trace(&pslg, &parameters, &mut |event| put(lines.of(event)));
+        let traced = meshwright::trace(pslg, &parameters, &mut |event| put(lines.of(event)));
         if let Ok(outcome) = &traced {
             put(lines.end(outcome.end));
         }

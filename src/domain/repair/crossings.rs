@@ -206,44 +206,43 @@ impl<'a, 'b> Tangle<'a, 'b> {
     /// Splits the chains where they meet; returns the pieces of what changed.
     fn split(&mut self, meetings: Meetings) -> Vec<Piece> {
         self.report_touches(&meetings.touches);
-        let mut splits: Vec<[u32; 2]> =
-            meetings.touches.iter().map(|touch| [touch.chain, touch.point]).collect();
+        let touches = meetings.touches.iter().map(|touch| [touch.chain, touch.point]);
+        let mut splits: Vec<[u32; 2]> = touches.collect();
         let mut crossed = Vec::new();
         for pair in meetings.crossings {
-            let before = splits.len();
-            splits.extend(self.splits_at_ends(pair));
-            if splits.len() == before {
-                let point = self.point_of(pair);
-                let split = pair.iter().filter(|piece| !piece.ends.contains(&point));
-                splits.extend(split.map(|piece| [piece.chain, point]));
-            }
-            crossed.push((pair.map(|piece| piece.chain), splits[before][1]));
+            let point = self.point_of(pair);
+            splits.extend(splits_of(pair, point));
+            crossed.push((pair, point));
         }
-        let (chains, points) = (&self.chains, &self.draft.points);
-        splits.sort_unstable_by(|[s, p], [t, q]| {
-            s.cmp(t).then_with(|| chains[*s as usize].order(points, *p, *q))
-        });
-        splits.dedup();
-
-        let mut changed = Vec::new();
-        let mut refused: Vec<[u32; 2]> = Vec::new();
-        for of_chain in splits.chunk_by(|[s, _], [t, _]| s == t) {
-            let chain = of_chain[0][0];
-            let new: Vec<u32> = of_chain.iter().map(|&[_, point]| point).collect();
-            let done = self.chains[chain as usize].insert(&self.draft.points, &new);
-            changed.extend(done.pieces.into_iter().map(|ends| Piece { chain, ends }));
-            refused.extend(done.refused.into_iter().map(|point| [chain, point]));
-        }
-        // What was refused is a meeting of other pieces now, which the next round finds.
-        refused.sort_unstable();
-        let is_refused = |chain, point| refused.binary_search(&[chain, point]).is_ok();
+        let (changed, refused) = self.insert(splits);
         for (pair, point) in crossed {
-            if !pair.iter().any(|&chain| is_refused(chain, point)) {
-                let segments = pair.map(|chain| self.input(chain));
+            // What was refused is a meeting of other pieces now, which the next round finds.
+            if splits_of(pair, point).any(|split| refused.binary_search(&split).is_err()) {
+                let segments = pair.map(|piece| self.input(piece.chain));
                 self.draft.repairs.push(Repair::Crossing { segments, point });
             }
         }
         changed
+    }
+
+    /// Inserts points into chains, given as pairs of a chain and a point. Returns the pieces of
+    /// what changed, and, sorted, the pairs that were refused.
+    fn insert(&mut self, mut splits: Vec<[u32; 2]>) -> (Vec<Piece>, Vec<[u32; 2]>) {
+        let (chains, points) = (&mut self.chains, &self.draft.points);
+        splits.sort_unstable_by(|[s, p], [t, q]| {
+            s.cmp(t).then_with(|| chains[*s as usize].order(points, *p, *q))
+        });
+        splits.dedup();
+        let (mut changed, mut refused) = (Vec::new(), Vec::new());
+        for of_chain in splits.chunk_by(|[s, _], [t, _]| s == t) {
+            let chain = of_chain[0][0];
+            let new: Vec<u32> = of_chain.iter().map(|&[_, point]| point).collect();
+            let done = chains[chain as usize].insert(points, &new);
+            changed.extend(done.pieces.into_iter().map(|ends| Piece { chain, ends }));
+            refused.extend(done.refused.into_iter().map(|point| [chain, point]));
+        }
+        refused.sort_unstable();
+        (changed, refused)
     }
 
     /// Reports points inside segments; those of an overlap as that alone.
@@ -269,25 +268,12 @@ impl<'a, 'b> Tangle<'a, 'b> {
         }
     }
 
-    /// Where an end of one of two pieces that cross is hardly off the other one, that one is split
-    /// there: else rounding would let segments that nearly overlap cross again and again.
-    fn splits_at_ends(&self, [first, second]: [Piece; 2]) -> Vec<[u32; 2]> {
-        let mut splits = Vec::new();
-        for (from, onto) in [(first, second), (second, first)] {
-            let [a, b] = self.places(onto);
-            let along = Vector::between(a, b);
-            let within = Rectangle::around(a, b);
-            splits.extend(from.ends.into_iter().filter_map(|end| {
-                let place = self.draft.place(end);
-                let off = along.cross(Vector::between(a, place)).abs() / along.length();
-                (off <= self.reach && within.contains(place)).then_some([onto.chain, end])
-            }));
-        }
-        splits
-    }
-
-    /// The point at which two pieces that cross are split.
+    /// The point at which two pieces that cross are split: an end of one that is hardly off the
+    /// other, a point that is there already, or a new one.
     fn point_of(&mut self, pair: [Piece; 2]) -> u32 {
+        if let Some(end) = self.end_on_the_other(pair) {
+            return end;
+        }
         let [first, second] = pair.map(|piece| self.places(piece));
         let [s, t] = pair.map(|piece| around(self.draft, piece.ends));
         let within = s.intersection(&t);
@@ -300,6 +286,26 @@ impl<'a, 'b> Tangle<'a, 'b> {
         let point = self.draft.make_point(place, self.input(pair[0].chain));
         self.made.add(point, place);
         point
+    }
+
+    /// Of the ends of two pieces that cross the one that is least off the other piece, if that is
+    /// within reach. (Rounded crossings would let pieces that nearly overlap cross for ever.)
+    fn end_on_the_other(&self, [first, second]: [Piece; 2]) -> Option<u32> {
+        let mut nearest: Option<(f64, u32)> = None;
+        for (from, onto) in [(first, second), (second, first)] {
+            let [a, b] = self.places(onto);
+            let along = Vector::between(a, b);
+            let around = Rectangle::around(a, b);
+            for end in from.ends {
+                let place = self.draft.place(end);
+                let off = along.cross(Vector::between(a, place)).abs() / along.length();
+                let is_nearer = nearest.is_none_or(|least| (off, end) < least);
+                if off <= self.reach && around.contains(place) && is_nearer {
+                    nearest = Some((off, end));
+                }
+            }
+        }
+        nearest.map(|(_, end)| end)
     }
 
     /// The nearest point to a place among those in a rectangle, if one is within reach.
@@ -339,6 +345,12 @@ impl<'a, 'b> Tangle<'a, 'b> {
     fn places(&self, piece: Piece) -> [[f64; 2]; 2] {
         piece.ends.map(|end| self.draft.place(end))
     }
+}
+
+/// Which of two pieces that cross are split at a point: pairs of a chain and the point.
+fn splits_of(pair: [Piece; 2], point: u32) -> impl Iterator<Item = [u32; 2]> {
+    let split = pair.into_iter().filter(move |piece| !piece.ends.contains(&point));
+    split.map(move |piece| [piece.chain, point])
 }
 
 fn around(draft: &Draft, ends: [u32; 2]) -> Rectangle {

@@ -126,6 +126,14 @@ impl<'a> Draft<'a> {
         self.strands = kept.map(|(&strand, _)| strand).collect();
     }
 
+    /// Whether nothing was merged or split.
+    pub fn is_as_given(&self) -> bool {
+        let is_same = |(strand, ends): (&Strand, &[u32; 2])| strand.ends == *ends;
+        self.is_kept.iter().take(self.outline.points.len()).all(|&is_kept| is_kept)
+            && self.strands.len() == self.outline.segments.len()
+            && self.strands.iter().zip(&self.outline.segments).all(is_same)
+    }
+
     /// Whether Assumption 1 (ii) and (iii) hold.
     pub fn is_clean(&self) -> bool {
         let mut compact = vec![u32::MAX; self.points.len()];

@@ -90,11 +90,13 @@ pub fn repair(given: &Pslg, tolerance: f64) -> Result<Repaired, Error> {
     let mut repairs = std::mem::take(&mut draft.repairs);
     repairs.extend(draft.overlaps.iter().map(|&segments| Repair::Overlap { segments }));
     repairs.sort_by(|a, b| a.order().cmp(&b.order()));
-    let is_as_given = repairs.is_empty() && warnings.is_empty();
     let new = &draft.points[given.points.len()..];
     let new_points = new.iter().map(|place| place.map(|c| draft.unscaled(c))).collect();
-    let outline =
-        if is_as_given { given.clone() } else { outline::outline(&draft, first_new_number(given)) };
+    let outline = if draft.is_as_given() {
+        given.clone()
+    } else {
+        outline::outline(&draft, first_new_number(given))
+    };
     Ok(Repaired { outline, repairs, warnings, new_points })
 }
 

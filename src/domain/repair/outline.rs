@@ -37,6 +37,7 @@ pub fn outline(draft: &Draft, first_new: i64) -> Pslg {
         point_sizes: selected(&given.point_sizes, &old, made.along_segments(&given.point_sizes)),
         segments: draft.strands.iter().map(|s| s.ends.map(|end| index[end as usize])).collect(),
         segment_tags: pieces().map(|s| given.segment_tags.get(s).copied().unwrap_or(0)).collect(),
+        enclosed: given.enclosed,
         holes: given.holes.clone(),
         regions: given.regions.clone(),
         groups: given.groups.clone(),

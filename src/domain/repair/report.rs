@@ -179,7 +179,13 @@ pub struct Report<'a> {
     pub(super) first_new: i64,
 }
 
-impl Report<'_> {
+impl<'a> Report<'a> {
+    /// What was mended.
+    #[must_use]
+    pub fn repairs(&self) -> &'a [Repair] {
+        self.repairs
+    }
+
     /// The number of a point of a [`Repair`]: that of its file, or for a new one the next number
     /// that the file does not have.
     #[must_use]
@@ -188,6 +194,12 @@ impl Report<'_> {
             Some(new) => self.first_new + new as i64,
             None => self.outline.source.point_number(point),
         }
+    }
+
+    /// The number of a segment of a [`Repair`].
+    #[must_use]
+    pub fn segment_number(&self, segment: u32) -> i64 {
+        self.outline.source.segment_number(segment)
     }
 
     /// Where a point of a [`Repair`] is.
@@ -209,10 +221,9 @@ impl Report<'_> {
     /// One repair in one sentence: `segments 5 and 6 cross near (0.5, 0.5): split at point 9`.
     #[must_use]
     pub fn sentence(&self, repair: &Repair) -> String {
-        let point = |&point: &u32| self.point_number(point);
-        let points: Vec<i64> = repair.points().iter().map(point).collect();
-        let segment = |&segment: &u32| self.outline.source.segment_number(segment);
-        let segments: Vec<i64> = repair.segments().iter().map(segment).collect();
+        let points: Vec<i64> = repair.points().iter().map(|&p| self.point_number(p)).collect();
+        let segments: Vec<i64> =
+            repair.segments().iter().map(|&s| self.segment_number(s)).collect();
         let apart = repair.distance().map(significant).unwrap_or_default();
         match (repair, &points[..], &segments[..]) {
             (Repair::Crossing { point, .. }, [p], [s, t]) => {
