@@ -81,12 +81,7 @@ impl Display for SyntaxError {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let Self { file, line, column, expected, found, .. } = self;
         writeln!(f, "{file}:{line}:{column}: expected {expected}, found {found}")?;
-        let number = line.to_string();
-        let margin = " ".repeat(number.len());
-        let (excerpt, caret) = self.excerpt();
-        writeln!(f, "{margin} |")?;
-        writeln!(f, "{number} | {excerpt}")?;
-        write!(f, "{margin} | {caret}")?;
+        write!(f, "{}", Excerpt { line: *line, column: *column, text: &self.text })?;
         match &self.help {
             Some(help) => write!(f, "\nhelp: {help}"),
             None => Ok(()),
@@ -94,9 +89,30 @@ impl Display for SyntaxError {
     }
 }
 
-impl SyntaxError {
+/// A line of a file with a caret below the column that a message is about.
+pub(crate) struct Excerpt<'a> {
+    /// Counted from one.
+    pub line: u32,
+    /// Counted in characters from one.
+    pub column: u32,
+    /// The whole line.
+    pub text: &'a str,
+}
+
+impl Display for Excerpt<'_> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let number = self.line.to_string();
+        let margin = " ".repeat(number.len());
+        let (excerpt, caret) = self.shown();
+        writeln!(f, "{margin} |")?;
+        writeln!(f, "{number} | {excerpt}")?;
+        write!(f, "{margin} | {caret}")
+    }
+}
+
+impl Excerpt<'_> {
     /// The part of the line around the column, and a second line whose caret stands below it.
-    fn excerpt(&self) -> (String, String) {
+    fn shown(&self) -> (String, String) {
         let place = self.column as usize - 1;
         let first = place.saturating_sub(LONGEST_EXCERPT * 3 / 4);
         let shown = self.text.chars().skip(first).take(LONGEST_EXCERPT);
@@ -193,6 +209,50 @@ pub enum Notice {
     SkippedSection {
         /// The section's name, without its `$`.
         name: String,
+    },
+    /// Statements of a script that have no effect on a plane mesh.
+    #[error("{} without effect on this mesh: {}",
+            if statements.iter().map(|(_, count)| count).sum::<u32>() == 1 { "1 statement".to_owned() }
+            else { format!("{} statements", statements.iter().map(|(_, count)| count).sum::<u32>()) },
+            statements.iter().map(|(name, count)| if *count == 1 { name.clone() }
+            else { format!("{name} ({count})") }).collect::<Vec<_>>().join(", "))]
+    SkippedStatements {
+        /// Their names, and how many of each there are.
+        statements: Vec<(String, u32)>,
+    },
+    /// The geometry lies in a plane along two axes that is not z = 0.
+    #[error("all points have {normal} = {at}: {first} and {second} are taken as x and y")]
+    AxisPlane {
+        /// The axis that is dropped.
+        normal: char,
+        /// The coordinate that all points have there.
+        at: f64,
+        /// The axis that becomes x.
+        first: char,
+        /// The axis that becomes y.
+        second: char,
+    },
+    /// A group names what does not exist.
+    #[error("physical group {tag}: there is no {} {first}{}",
+            ["point", "curve", "surface"].get(*dim as usize).unwrap_or(&"entity"),
+            if *count == 1 { String::new() } else { format!(", and {} more are missing", count - 1) })]
+    MissingMembers {
+        /// 0 for points, 1 for curves, 2 for surfaces.
+        dim: u8,
+        /// The group.
+        tag: i32,
+        /// The first entity that is missing.
+        first: i32,
+        /// How many are missing.
+        count: usize,
+    },
+    /// Two surfaces between the same curves.
+    #[error("surface {surface} is surface {first} once more; it is left out")]
+    SameSurface {
+        /// The surface.
+        surface: i32,
+        /// The one that stays.
+        first: i32,
     },
     /// All points lie in one plane that is not z = 0.
     #[error("all nodes have z = {z}; it is dropped")]

@@ -3,7 +3,7 @@
 //! [`Pslg`] is what every outline reader makes, [`Mesh`] what every mesh writer takes. This crate
 //! knows files and flat arrays; it knows no geometry.
 //!
-//! Outlines: [`poly`], [`node`], [`obj`]. Meshes: [`msh`], [`vtu`], [`gltf`] (written only), and Triangle's
+//! Outlines: [`poly`], [`node`], [`obj`], [`geo`]. Meshes: [`msh`], [`vtu`], [`gltf`] (written only), and Triangle's
 //! files, each of which holds a part: [`node`] and [`ele`], with the edges in [`poly`]; [`edge`]
 //! and [`neigh`] (written only). A reader takes text and a name for its messages; it returns what
 //! it read and what it passed over ([`Warning`]). A writer takes a [`std::io::Write`] and returns
@@ -14,6 +14,7 @@ mod digits;
 pub mod edge;
 pub mod ele;
 mod error;
+pub mod geo;
 pub mod gltf;
 pub mod groups;
 mod mesh;

@@ -11,6 +11,8 @@ pub enum Format {
     Node,
     /// Wavefront's polylines and faces.
     Obj,
+    /// Gmsh's geometry scripts.
+    Geo,
     /// Gmsh's meshes.
     Msh,
     /// VTK's unstructured grids.
@@ -26,13 +28,14 @@ pub enum Format {
 }
 
 impl Format {
-    const ALL: [Self; 9] = [
+    const ALL: [Self; 10] = [
         Self::Msh,
         Self::Vtu,
         Self::Glb,
         Self::Poly,
         Self::Node,
         Self::Obj,
+        Self::Geo,
         Self::Ele,
         Self::Edge,
         Self::Neigh,
@@ -54,6 +57,7 @@ impl Format {
             Self::Poly => "poly",
             Self::Node => "node",
             Self::Obj => "obj",
+            Self::Geo => "geo",
             Self::Msh => "msh",
             Self::Vtu => "vtu",
             Self::Glb => "glb",
@@ -69,6 +73,7 @@ impl Format {
             Self::Poly => "Triangle .poly",
             Self::Node => "Triangle .node",
             Self::Obj => "Wavefront OBJ",
+            Self::Geo => "Gmsh .geo",
             Self::Msh => "Gmsh 2.2",
             Self::Vtu => "VTK",
             Self::Glb => "glTF",
@@ -80,7 +85,7 @@ impl Format {
 
     /// Whether outlines are read from it.
     pub fn holds_outlines(self) -> bool {
-        matches!(self, Self::Poly | Self::Node | Self::Obj)
+        matches!(self, Self::Poly | Self::Node | Self::Obj | Self::Geo)
     }
 
     /// Whether outlines are written to it.
@@ -95,7 +100,7 @@ impl Format {
 
     /// Whether meshes are written to it.
     pub fn meshes_are_written(self) -> bool {
-        self != Self::Obj
+        !matches!(self, Self::Obj | Self::Geo)
     }
 }
 

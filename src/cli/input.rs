@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use flate2::read::MultiGzDecoder;
-use meshwright::formats::{Mesh, Pslg, Warning, ele, msh, node, obj, poly, vtu};
+use meshwright::formats::{Mesh, Pslg, Warning, ele, geo, msh, node, obj, poly, vtu};
 
 use super::failure::{Exit, Failure, reason};
 use super::format::{Format, listed};
@@ -62,7 +62,6 @@ pub fn any(
     let name = path.display().to_string();
     let mut files = if stdin { Vec::new() } else { vec![path.to_path_buf()] };
     let bytes = if stdin { read_stdin()? } else { read_file(path)? };
-    let wrong = Failure::input;
     let companion = |beside: &str| {
         if stdin {
             return Err(io::Error::other("stdin has no file beside it"));
@@ -81,14 +80,17 @@ pub fn any(
         Content::Mesh(mesh)
     };
     let content = match format {
-        Format::Poly => outline(poly::read(&bytes, &name, companion).map_err(wrong)?),
-        Format::Node => outline(node::read(&bytes, &name).map_err(wrong)?),
+        Format::Poly => outline(poly::read(&bytes, &name, companion).map_err(Failure::input)?),
+        Format::Node => outline(node::read(&bytes, &name).map_err(Failure::input)?),
         Format::Obj => {
             let faces = obj::Options { faces: options.faces };
-            outline(obj::read_with(&bytes, &name, faces).map_err(wrong)?)
+            outline(obj::read_with(&bytes, &name, faces).map_err(Failure::input)?)
         }
-        Format::Msh => mesh(msh::read(&bytes, &name).map_err(wrong)?),
-        Format::Ele => mesh(ele::read_with_companions(&bytes, &name, companion).map_err(wrong)?),
+        Format::Geo => outline(geo::read(&bytes, &name, companion).map_err(Failure::input)?),
+        Format::Msh => mesh(msh::read(&bytes, &name).map_err(Failure::input)?),
+        Format::Ele => {
+            mesh(ele::read_with_companions(&bytes, &name, companion).map_err(Failure::input)?)
+        }
         Format::Vtu => Content::Mesh(vtu::read(&bytes, &name).map_err(Failure::input)?),
         Format::Glb | Format::Edge | Format::Neigh => {
             unreachable!("`format_of` refuses formats that are not read")

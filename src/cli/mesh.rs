@@ -250,7 +250,9 @@ impl FileContent<'_> {
             Format::Poly => poly::write_with(mesh, self.poly, &mut out),
             Format::Edge => edge::write(mesh, &mut out),
             Format::Neigh => neigh::write(mesh, &mut out),
-            Format::Obj => unreachable!("`format` refuses formats that hold no meshes"),
+            Format::Geo | Format::Obj => {
+                unreachable!("`format` refuses formats that hold no meshes")
+            }
         }
     }
 }

@@ -1,0 +1,14 @@
+//! The grammar: from the text of a script to its syntax tree, one statement at a time.
+//!
+//! [`statements`] opens with the productions of statements, [`expressions`] with those of
+//! expressions, [`commands`] with those of operations on shapes, [`tokens`] with words and numbers.
+//! Each production has a function of its name.
+
+mod commands;
+mod expressions;
+mod input;
+mod statements;
+mod tokens;
+
+pub(super) use input::{Fault, Text};
+pub(super) use statements::next_statement;

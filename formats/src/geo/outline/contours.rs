@@ -1,0 +1,117 @@
+//! The boundary of a surface as closed contours, and how they lie in one another.
+
+use std::collections::BTreeMap;
+
+use crate::geo::error::Problem;
+
+/// A closed line of curves, each with its sign.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Contour {
+    /// The loop of the surface that it comes from, as an index.
+    pub of_loop: usize,
+    pub curves: Vec<i32>,
+}
+
+/// Puts the curves of a loop together; the signs they are given with do not matter.
+///
+/// `ends` tells the first and the last point of a curve. A curve that is given twice bounds
+/// nothing: it is left out.
+///
+/// # Errors
+/// The point at which only one curve ends.
+pub(super) fn contours(
+    surface: i32,
+    of_loop: usize,
+    curves: &[i32],
+    ends: impl Fn(i32) -> [i32; 2],
+) -> Result<Vec<Contour>, Problem> {
+    let mut times: BTreeMap<i32, u32> = BTreeMap::new();
+    for curve in curves {
+        *times.entry(curve.abs()).or_default() += 1;
+    }
+    let once: Vec<i32> = curves.iter().map(|c| c.abs()).filter(|c| times[c] % 2 == 1).collect();
+    let mut at_point: BTreeMap<i32, Vec<usize>> = BTreeMap::new();
+    for (i, &curve) in once.iter().enumerate() {
+        let [first, last] = ends(curve);
+        at_point.entry(first).or_default().push(i);
+        at_point.entry(last).or_default().push(i);
+    }
+    if let Some((&point, _)) = at_point.iter().find(|(_, curves)| curves.len() % 2 == 1) {
+        return Err(Problem::Open { surface, point });
+    }
+    let mut used = vec![false; once.len()];
+    let mut contours = Vec::new();
+    for start in 0..once.len() {
+        if used[start] {
+            continue;
+        }
+        used[start] = true;
+        let [begin, mut here] = ends(once[start]);
+        let mut found = vec![once[start]];
+        while here != begin {
+            // Every point has an even number of ends, so one is left.
+            let next = at_point.get_mut(&here).and_then(|left| {
+                while let Some(i) = left.pop() {
+                    if !used[i] {
+                        return Some(i);
+                    }
+                }
+                None
+            });
+            let Some(next) = next else { return Err(Problem::Open { surface, point: here }) };
+            used[next] = true;
+            let [first, last] = ends(once[next]);
+            let forward = first == here;
+            found.push(if forward { once[next] } else { -once[next] });
+            here = if forward { last } else { first };
+        }
+        contours.push(Contour { of_loop, curves: found });
+    }
+    Ok(contours)
+}
+
+/// A polygon that a contour becomes.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Polygon {
+    pub points: Vec<[f64; 2]>,
+    /// Its smallest and its largest coordinates.
+    pub least: [f64; 2],
+    pub most: [f64; 2],
+    pub area: f64,
+}
+
+impl Polygon {
+    pub(super) fn new(points: Vec<[f64; 2]>) -> Self {
+        let (mut least, mut most) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for p in &points {
+            for i in 0..2 {
+                least[i] = least[i].min(p[i]);
+                most[i] = most[i].max(p[i]);
+            }
+        }
+        let area = 0.5 * super::chain::doubled_area(&points).abs();
+        Self { points, least, most, area }
+    }
+
+    /// Its sides.
+    pub(super) fn sides(&self) -> impl Iterator<Item = [[f64; 2]; 2]> + '_ {
+        let next = self.points.iter().cycle().skip(1);
+        self.points.iter().zip(next).map(|(&a, &b)| [a, b])
+    }
+
+    /// Whether a place that is not on it lies inside.
+    pub(super) fn holds(&self, p: [f64; 2]) -> bool {
+        let in_box = (0..2).all(|i| self.least[i] <= p[i] && p[i] <= self.most[i]);
+        in_box && self.sides().filter(|&side| crosses_right_of(side, p)).count() % 2 == 1
+    }
+}
+
+/// Whether a side crosses the ray from a place to the right.
+fn crosses_right_of([a, b]: [[f64; 2]; 2], p: [f64; 2]) -> bool {
+    (a[1] > p[1]) != (b[1] > p[1]) && p[0] < abscissa([a, b], p[1])
+}
+
+/// Where a side that is not level meets the height `y`.
+pub(super) fn abscissa([a, b]: [[f64; 2]; 2], y: f64) -> f64 {
+    a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+}

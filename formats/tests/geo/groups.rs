@@ -1,0 +1,74 @@
+//! Physical groups.
+
+use meshwright_formats::Group;
+
+use super::{SQUARE, error, read, warned};
+
+fn group(dim: u8, tag: i32, name: &str) -> Group {
+    Group { dim, tag, name: name.to_owned() }
+}
+
+#[test]
+fn groups_have_numbers_and_names() {
+    let pslg = read(&format!(
+        "{SQUARE}Physical Curve(\"rim\", 7) = {{1, -3}};\nPhysical Line(8) = {{2}};\n\
+         Physical Surface(\"plate\", 7) = {{1}};\nPhysical Point(\"corner\", 3) = {{2}};"
+    ));
+    assert_eq!(pslg.segment_tags, [7, 8, 7, 0]);
+    assert_eq!(pslg.regions[0].tag, 7);
+    assert_eq!(pslg.groups, [group(0, 3, "corner"), group(1, 7, "rim"), group(2, 7, "plate")]);
+    assert_eq!(pslg.point_markers, [0, 3, 0, 0]);
+}
+
+#[test]
+fn a_name_alone_gets_the_next_number_of_all_groups() {
+    let pslg = read(&format!(
+        "{SQUARE}Physical Curve(\"a\", 5) = {{1}};\nPhysical Surface(\"b\") = {{1}};\n\
+         Physical Curve(\"c\") = {{2}};\nPhysical Curve(\"c\") += {{3}};"
+    ));
+    assert_eq!(pslg.groups, [group(1, 5, "a"), group(1, 7, "c"), group(2, 6, "b")]);
+    assert_eq!(pslg.segment_tags, [5, 7, 7, 0]);
+}
+
+#[test]
+fn groups_may_come_before_their_curves() {
+    let pslg = read(&format!("Physical Curve(3) = {{1:4}};\n{SQUARE}"));
+    assert_eq!(pslg.segment_tags, [3; 4]);
+}
+
+#[test]
+fn groups_follow_what_coherence_merges() {
+    let pslg = read(&format!(
+        "{SQUARE}Physical Curve(3) = {{2}};\nTranslate {{-1, 0, 0}} {{ Duplicata {{ Surface{{1}}; }} }}"
+    ));
+    assert_eq!(pslg.segment_tags.iter().filter(|&&tag| tag == 3).count(), 1);
+}
+
+#[test]
+fn without_groups_each_curve_and_surface_is_one() {
+    let pslg = read(&SQUARE.replace("Surface(1)", "Surface(12)"));
+    assert_eq!(pslg.segment_tags, [1, 2, 3, 4]);
+    assert_eq!(pslg.regions[0].tag, 12);
+    assert_eq!(pslg.groups, []);
+}
+
+#[test]
+fn names_keep_blanks_letters_of_all_kinds_and_backslashes() {
+    let pslg = read(&format!("{SQUARE}Physical Curve(\"rand außen\\a/b:c\", 1) = {{1}};"));
+    assert_eq!(pslg.groups, [group(1, 1, "rand außen\\a/b:c")]);
+}
+
+#[test]
+fn missing_members_are_a_warning() {
+    let (_, warnings) = warned(&format!("{SQUARE}Physical Surface(\"a\", 2) = {{1, 77, 78}};"));
+    assert_eq!(
+        warnings,
+        ["part.geo:11: physical group 2: there is no surface 77, and 1 more are missing"]
+    );
+}
+
+#[test]
+fn a_group_is_not_made_twice() {
+    let script = format!("{SQUARE}Physical Curve(1) = {{1}};\nPhysical Curve(1) = {{2}};");
+    assert_eq!(error(&script), "12:1: physical group 1 exists already (line 11)");
+}
