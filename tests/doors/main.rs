@@ -145,6 +145,12 @@ fn robust_has_one_door() {
 }
 
 #[test]
+fn nom_has_one_door() {
+    let part = |file: &str| !file.starts_with("formats/src/geo");
+    closed(part, has(&["nom"]), "use nom::Parser;");
+}
+
+#[test]
 fn nothing_depends_on_hash_order() {
     let forbidden = has(&["HashMap", "HashSet", "RandomState", "DefaultHasher", "hashbrown"]);
     closed(everywhere, forbidden, "use std::collections::{BTreeMap, HashMap};");
