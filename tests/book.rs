@@ -224,7 +224,8 @@ fn faults(book: &str) -> Vec<String> {
     for (_, behind) in book.match_indices("--bin ").map(|(at, mark)| (at, &book[at + mark.len()..]))
     {
         let program = behind.split([' ', '\n', '`']).next().unwrap_or_default();
-        if !root().join(format!("tests/campaigns/src/bin/{program}.rs")).is_file() {
+        let source = |end: &str| root().join(format!("tests/campaigns/src/bin/{program}{end}"));
+        if !source(".rs").is_file() && !source("/main.rs").is_file() {
             faults.push(format!("there is no program {program}"));
         }
     }

@@ -1,25 +1,14 @@
 """Triangle's own meshes of Lake Superior before our judge."""
 
 import json
+import subprocess
 
 import numpy as np
 import triangle
 
 import msh
-from conftest import run
-
-
-def read_poly(path):
-    """The arrays that Triangle's Python package takes; enough for this file (one-based)."""
-    lines = [line.split("#")[0].split() for line in path.read_text().splitlines()]
-    rows = iter([line for line in lines if line])
-    count = int(next(rows)[0])
-    vertices = [[float(x) for x in next(rows)[1:3]] for _ in range(count)]
-    count = int(next(rows)[0])
-    segments = [[int(i) - 1 for i in next(rows)[1:3]] for _ in range(count)]
-    count = int(next(rows)[0])
-    holes = [[float(x) for x in next(rows)[1:3]] for _ in range(count)]
-    return {"vertices": vertices, "segments": segments, "holes": holes}
+from conftest import ROOT, run
+from triangle_points import HEAD, read_poly, row
 
 
 def judged(data, flags, folder, code):
@@ -54,3 +43,15 @@ def test_with_D_every_promise_is_kept(data, tmp_path):
     assert fails(guarantees) == []
     unjudged = [code for code, one in guarantees.items() if one["verdict"] == "not judged"]
     assert unjudged == ["G8", "G9"], "Triangle does not say how its points came to be"
+
+
+def test_the_recorded_points_are_triangles_own(tmp_path):
+    experiments = "cargo run --release --locked --quiet -p meshwright-campaigns --bin experiments"
+    outlines = subprocess.run(experiments.split() + ["--", "--outlines", tmp_path], cwd=ROOT)
+    assert outlines.returncode == 0
+    head, *recorded = (ROOT / "docs/experiments/triangle.csv").read_text().splitlines()
+    files = sorted(tmp_path.glob("*.poly"))
+    assert head == HEAD and [line.split(",")[0] for line in recorded] == [f.stem for f in files]
+    # The thinnest wedges alone take longer than all others together.
+    quick = [f for f in files if f.stem not in ("wedge_0.001", "wedge_0.01")]
+    assert [row(f) for f in quick] == [line for line in recorded if line.split(",")[0] in {f.stem for f in quick}]

@@ -6,10 +6,11 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use meshwright::Mesh;
+use meshwright::formats::{node, obj, poly};
+use meshwright::{Mesh, Pslg};
 use serde_json::Value;
 
 /// The environment variable that names the collection's folder.
@@ -102,6 +103,47 @@ pub fn cases(folder: &Path) -> io::Result<Vec<Case>> {
     );
     cases.sort_by(|a, b| a.file.cmp(&b.file));
     Ok(cases)
+}
+
+/// The files that mesh as they are, in the order of their names.
+///
+/// # Errors
+/// The collection cannot be read, or its tables are not as expected.
+pub fn meshable(folder: &Path) -> io::Result<Vec<String>> {
+    let mut cases = cases(folder)?;
+    cases.retain(|case| {
+        let mut allowed = case.allowed.iter();
+        case.holes.is_none()
+            && allowed.all(|ending| matches!(ending, Ending::Meshes | Ending::MeshesWithWarning))
+    });
+    Ok(cases.into_iter().map(|case| case.file).collect())
+}
+
+/// Reads an outline, and what its reader warns of.
+///
+/// # Errors
+/// The file cannot be read, or not as an outline.
+pub fn read(path: &Path) -> Result<(Pslg, Vec<String>), String> {
+    let name = path.display().to_string();
+    let text = uncompressed(fs::read(path).map_err(|error| format!("{name}: {error}"))?)?;
+    let end = |end: &&str| name.trim_end_matches(".gz").ends_with(&format!(".{end}"));
+    let (outline, warnings) = match READ.into_iter().find(end) {
+        Some("node") => node::read(&text, &name),
+        Some("obj") => obj::read(&text, &name),
+        _ => poly::read(&text, &name, |node| fs::read(node)),
+    }
+    .map_err(|error| error.to_string())?;
+    Ok((outline, warnings.iter().map(ToString::to_string).collect()))
+}
+
+fn uncompressed(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
+    if !bytes.starts_with(&[0x1f, 0x8b]) {
+        return Ok(bytes);
+    }
+    let mut text = Vec::new();
+    let mut reader = flate2::read::MultiGzDecoder::new(&bytes[..]);
+    reader.read_to_end(&mut text).map_err(|error| error.to_string())?;
+    Ok(text)
 }
 
 /// Whether outlines are read from files of this name.

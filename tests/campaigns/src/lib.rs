@@ -6,6 +6,7 @@
 //! - [`hostile`]: everything at once, clean by construction.
 //! - [`sketch`], [`plane`], [`measure`], [`motion`], [`poly`]: what those are made with.
 //! - [`corpus`]: the large collection of outlines, and what is known of each.
+//! - [`survey`]: tables over that collection.
 //! - [`experiments`]: the tables and pictures of the paper, made again.
 //! - [`judge`], [`run`], [`shrink`]: meshing, judging, doing so two thousand times, and making small
 //!   what fails.
@@ -24,6 +25,7 @@ mod random;
 pub mod run;
 pub mod shrink;
 pub mod sketch;
+pub mod survey;
 
 pub use families::Family;
 pub use random::Random;

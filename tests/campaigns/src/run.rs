@@ -15,7 +15,7 @@ use meshwright::Pslg;
 use crate::poly;
 
 /// How long one piece of work may take before it counts as hung.
-pub const PATIENCE: Duration = Duration::from_secs(60);
+pub const PATIENCE: Duration = Duration::from_secs(120);
 
 /// How a piece of work ended.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,16 +1,14 @@
 //! Real and nasty outlines with known answers: one test per file of the collection that
 //! `MESHWRIGHT_DATA` names. Without it, one ignored test per folder says that they did not run.
 
-use std::fs;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use meshwright::domain;
-use meshwright::formats::{Enclosed, node, obj, poly};
+use meshwright::formats::Enclosed;
 use meshwright::{Mesh, Parameters, Pslg};
-use meshwright_campaigns::corpus::{self, Case, Ending, Holes, READ, VARIABLE};
+use meshwright_campaigns::corpus::{self, Case, Ending, Holes, VARIABLE};
 use meshwright_campaigns::judge::{Verdict, judge};
 use meshwright_campaigns::measure::area;
 use meshwright_campaigns::plane::segments_meet;
@@ -43,9 +41,7 @@ const LFS_MIN: &str = "the least local feature size of Lake Superior";
 
 /// lfs_min of Lake Superior as it was computed from all pairs.
 fn lfs_min_of_superior(folder: &Path) -> Result<(), Failed> {
-    let text = fs::read(folder.join("paper/superior.poly"))?;
-    let (outline, _) =
-        poly::read(&text, "superior.poly", |_| Err(std::io::ErrorKind::NotFound.into()))?;
+    let (outline, _) = corpus::read(&folder.join("paper/superior.poly"))?;
     let (domain, _) = domain::Domain::new(&outline, meshwright::Region::Domain)?;
     let found = domain.lfs_min().ok_or("the search is given up")?;
     let known = 8.330_436_717_544_945e-4;
@@ -110,8 +106,11 @@ fn mesh_file(path: &Path, holes: Option<Holes>) -> Ran {
         talk: talk.join("\n"),
         faults,
     };
-    let outline = match read(path, &mut talk) {
-        Ok(outline) => with_holes(outline, holes),
+    let outline = match corpus::read(path) {
+        Ok((outline, warnings)) => {
+            talk.extend(warnings);
+            with_holes(outline, holes)
+        }
         Err(message) => {
             talk.push(message);
             return refused(talk, Vec::new());
@@ -144,31 +143,6 @@ fn with_holes(outline: Pslg, holes: Option<Holes>) -> Pslg {
         Some(Holes::None) => Enclosed::All,
     };
     Pslg { enclosed, holes: Vec::new(), ..outline }
-}
-
-/// Reads an outline; warnings go into the talk.
-fn read(path: &Path, talk: &mut Vec<String>) -> Result<Pslg, String> {
-    let name = path.display().to_string();
-    let text = uncompressed(fs::read(path).map_err(|error| format!("{name}: {error}"))?)?;
-    let end = |end: &&str| name.trim_end_matches(".gz").ends_with(&format!(".{end}"));
-    let (outline, warnings) = match READ.into_iter().find(end) {
-        Some("node") => node::read(&text, &name),
-        Some("obj") => obj::read(&text, &name),
-        _ => poly::read(&text, &name, |node| fs::read(node)),
-    }
-    .map_err(|error| error.to_string())?;
-    talk.extend(warnings.iter().map(ToString::to_string));
-    Ok(outline)
-}
-
-fn uncompressed(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
-    if !bytes.starts_with(&[0x1f, 0x8b]) {
-        return Ok(bytes);
-    }
-    let mut text = Vec::new();
-    let mut reader = flate2::read::MultiGzDecoder::new(&bytes[..]);
-    reader.read_to_end(&mut text).map_err(|error| error.to_string())?;
-    Ok(text)
 }
 
 /// The culprits of an error that have nothing in common, whatever the error says. Exact.

@@ -5,7 +5,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use meshwright_campaigns::experiments::histogram::{Axis, counts, histogram};
-use meshwright_campaigns::experiments::{ALL, OPENING};
+use meshwright_campaigns::experiments::{ALL, OPENING, growth, triangle};
+use meshwright_campaigns::figures;
 
 fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/experiments")
@@ -35,13 +36,26 @@ fn every_section_has_its_title_and_every_picture_is_shown_and_small() {
     for entry in fs::read_dir(folder()).expect("the folder is there") {
         let entry = entry.expect("it can be read");
         let name = entry.file_name().to_string_lossy().into_owned();
-        if name != "README.md" {
-            assert!(page.contains(&format!("]({name})")), "{name} is not shown");
-            assert!(entry.metadata().expect("it is a file").len() < 150_000, "{name} is large");
-            pictures += 1;
+        if name == "README.md" {
+            continue;
         }
+        assert!(page.contains(&format!("]({name})")), "{name} is not shown");
+        assert!(entry.metadata().expect("it is a file").len() < 150_000, "{name} is large");
+        pictures += usize::from(name.ends_with(".svg"));
     }
     assert_eq!(page.matches("![").count(), pictures);
+}
+
+#[test]
+fn triangles_points_are_recorded_of_these_very_outlines() {
+    for (name, outline) in growth::outlines() {
+        assert!(triangle::points(&name, &outline).expect("it is recorded") >= outline.points.len());
+    }
+    let other = figures::wedge(0.2);
+    let error = triangle::points("wedge_1", &other).expect_err("it is another outline");
+    assert!(error.contains("another outline of the name `wedge_1`"), "{error}");
+    let error = triangle::points("wedge_2", &other).expect_err("there is none");
+    assert!(error.contains("no row for `wedge_2`"), "{error}");
 }
 
 #[test]

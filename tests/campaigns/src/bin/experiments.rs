@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
-use meshwright_campaigns::experiments::{self, outlines, soft, superior};
+use meshwright_campaigns::corpus;
+use meshwright_campaigns::experiments::{self, soft, superior};
 
 /// Makes the page `docs/experiments/README.md` and its pictures again, from seeds and from outlines
 /// in the public domain. The same code makes the same bytes.
@@ -19,6 +20,9 @@ struct Arguments {
     /// The folder that the page is written to
     #[arg(long, default_value = "docs/experiments")]
     out: PathBuf,
+    /// Only write the outlines that Triangle's numbers are recorded of to this folder
+    #[arg(long, value_name = "FOLDER")]
+    outlines: Option<PathBuf>,
     /// The large collection's folder
     #[arg(long, env = "MESHWRIGHT_DATA")]
     data: Option<PathBuf>,
@@ -26,10 +30,7 @@ struct Arguments {
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let done = experiments::write(&arguments.out, |name| eprintln!("{name}"))
-        .map_err(|error| error.to_string())
-        .and_then(|()| arguments.data.as_deref().map_or(Ok(()), papers_outline));
-    match done {
+    match run(&arguments) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
@@ -38,9 +39,21 @@ fn main() -> ExitCode {
     }
 }
 
+fn run(arguments: &Arguments) -> Result<(), String> {
+    let tell = |name: &str| eprintln!("{name}");
+    let done = match &arguments.outlines {
+        Some(folder) => {
+            return experiments::write_outlines(folder).map_err(|error| error.to_string());
+        }
+        None => experiments::write(&arguments.out, tell),
+    };
+    done.map_err(|error| error.to_string())?;
+    arguments.data.as_deref().map_or(Ok(()), papers_outline)
+}
+
 /// Prints the figures of the paper's own outline.
 fn papers_outline(data: &Path) -> Result<(), String> {
-    let read = |file: &str| outlines::of_the_collection(data, file);
+    let read = |file: &str| corpus::read(&data.join(file)).map(|(outline, _)| outline);
     let boxed = read("paper/superior_box.poly")?;
     print(
         "Figure 10, the paper's outline",

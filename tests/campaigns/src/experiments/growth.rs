@@ -2,8 +2,8 @@
 
 use meshwright::{Parameters, Pslg, Splitting};
 
-use super::Section;
 use super::run::{adaptive, grouped, median, paper};
+use super::{Section, triangle};
 use crate::families::Family;
 use crate::figures::{spokes20, wedge};
 use crate::random::Random;
@@ -12,11 +12,16 @@ use crate::random::Random;
 const SPOKES: std::ops::Range<u64> = 900..940;
 /// The seeds of the needles and of the random outlines.
 const DRAWS: std::ops::Range<u64> = 1..13;
+/// The angles of the wedges, in degrees.
+const WEDGES: [f64; 4] = [1.0, 0.1, 0.01, 0.001];
 
-/// Points for each kind of outline, by the paper's rules and by ours.
+/// An outline and a word to find it by.
+pub type Named = (String, Pslg);
+
+/// Points for each kind of outline: by the paper's rules, by Triangle and by ours.
 ///
 /// # Errors
-/// A mesh does not keep its promise.
+/// A mesh does not keep its promise, or Triangle's numbers are out of date.
 pub fn table() -> Result<Section, String> {
     let mut section = Section::default();
     section.paragraph(&format!(
@@ -26,23 +31,53 @@ pub fn table() -> Result<Section, String> {
          Needles and random outlines: seeds {}–{} of the families `Needles` (up to four triangles; each \
          seed draws θ from 0.02° to 5°, and each needle has θ/2 to 2θ) and `RandomPslg` (40 points, \
          up to 60 segments; nothing comes nearer to a segment than a thousandth of its \
-         length). Triangle's own column is left out: it is another program.",
+         length).",
         SPOKES.start,
         SPOKES.end - 1,
         DRAWS.start,
         DRAWS.end - 1
     ));
-    let mut rows = Vec::new();
-    for degrees in [1.0, 0.1, 0.01, 0.001] {
-        let outline = wedge(f64::to_radians(degrees));
-        rows.push(row(&format!("one wedge of {degrees}°"), [outline].into_iter())?);
-    }
-    rows.push(row("20 spokes, median of 40", SPOKES.map(spokes20))?);
-    rows.push(row("needles, median of 12", DRAWS.map(needles))?);
-    let random = DRAWS.map(|seed| Family::RandomPslg.outline(40, 0.0, seed));
-    rows.push(row("random outline, median of 12", random)?);
-    section.table(&["points", "shells, circumcenters", "ladder, off-centers"], &rows);
+    section.paragraph(
+        "Triangle (Shewchuk's, 1.6, `-pq26.45D`) is another program. Its numbers are recorded in \
+         [`triangle.csv`](triangle.csv), outline by outline; \
+         [the campaigns](../../tests/campaigns/README.md) say how. This page is not made of a record of \
+         other outlines.",
+    );
+    let rows = kinds().into_iter().map(|kind| kind.row()).collect::<Result<Vec<_>, _>>()?;
+    section
+        .table(&["points", "shells, circumcenters", "Triangle -D", "ladder, off-centers"], &rows);
     Ok(section)
+}
+
+/// Every outline of the table.
+#[must_use]
+pub fn outlines() -> Vec<Named> {
+    kinds().into_iter().flat_map(|kind| kind.outlines).collect()
+}
+
+/// A row: outlines of one kind.
+struct Kind {
+    title: String,
+    outlines: Vec<Named>,
+}
+
+fn kinds() -> Vec<Kind> {
+    let wedges = WEDGES.map(|degrees| Kind {
+        title: format!("one wedge of {degrees}°"),
+        outlines: vec![(format!("wedge_{degrees}"), wedge(degrees.to_radians()))],
+    });
+    let drawn =
+        |title: &str, word: &str, seeds: std::ops::Range<u64>, draw: fn(u64) -> Pslg| Kind {
+            title: format!("{title}, median of {}", seeds.clone().count()),
+            outlines: seeds.map(|seed| (format!("{word}_{seed}"), draw(seed))).collect(),
+        };
+    let mut kinds = Vec::from(wedges);
+    kinds.push(drawn("20 spokes", "spokes", SPOKES, spokes20));
+    kinds.push(drawn("needles", "needles", DRAWS, needles));
+    kinds.push(drawn("random outline", "random", DRAWS, |seed| {
+        Family::RandomPslg.outline(40, 0.0, seed)
+    }));
+    kinds
 }
 
 /// Up to four needle triangles whose angles are of one size, 0.02° to 5°.
@@ -51,12 +86,16 @@ fn needles(seed: u64) -> Pslg {
     Family::Needles.outline(4, theta, seed)
 }
 
-/// The median points by the paper's rules and by ours.
-fn row(name: &str, outlines: impl Iterator<Item = Pslg>) -> Result<Vec<String>, String> {
-    let (mut shells, mut ladder) = (Vec::new(), Vec::new());
-    for outline in outlines {
-        shells.push(adaptive(&outline, &paper(Splitting::Shells))?.points());
-        ladder.push(adaptive(&outline, &Parameters::default())?.points());
+impl Kind {
+    /// The median points by the paper's rules, by Triangle and by ours.
+    fn row(&self) -> Result<Vec<String>, String> {
+        let mut counts: [Vec<usize>; 3] = Default::default();
+        for (name, outline) in &self.outlines {
+            counts[0].push(adaptive(outline, &paper(Splitting::Shells))?.points());
+            counts[1].push(triangle::points(name, outline)?);
+            counts[2].push(adaptive(outline, &Parameters::default())?.points());
+        }
+        let medians = counts.map(|counts| grouped(median(counts)));
+        Ok([&[self.title.clone()][..], &medians].concat())
     }
-    Ok(vec![name.to_owned(), grouped(median(shells)), grouped(median(ladder))])
 }

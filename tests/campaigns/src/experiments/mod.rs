@@ -10,15 +10,17 @@ pub mod histogram;
 pub mod outlines;
 pub mod rules;
 mod run;
+pub mod shortest;
 pub mod soft;
 pub mod spokes;
 pub mod superior;
+pub mod triangle;
 
 use std::fmt::Write;
 use std::path::Path;
 use std::{fs, io};
 
-pub use run::{Run, adaptive, paper};
+pub use run::{Run, adaptive, grouped, median, paper};
 
 /// Something to find out, as a section of the page.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +36,7 @@ pub struct Experiment {
 }
 
 /// Every experiment, in the order of the page.
-pub const ALL: [Experiment; 6] = [
+pub const ALL: [Experiment; 7] = [
     Experiment {
         name: "superior",
         title: "Figure 10: Lake Superior in a box",
@@ -60,6 +62,12 @@ pub const ALL: [Experiment; 6] = [
         conduct: growth::table,
     },
     Experiment { name: "rules", title: "Rule against rule", quick: true, conduct: rules::table },
+    Experiment {
+        name: "shortest",
+        title: "The shortest edge and Corollary 2",
+        quick: true,
+        conduct: shortest::table,
+    },
     Experiment { name: "soft", title: "More than 26.45°", quick: true, conduct: soft::table },
 ];
 
@@ -143,6 +151,18 @@ the defaults. κ̂ = 26.45° unless something else is said. Every mesh of the ad
 is certified: a certificate that does not hold stops the command.
 
 ";
+
+/// Writes the outlines that Triangle's numbers are recorded of, as `.poly` files.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn write_outlines(folder: &Path) -> io::Result<()> {
+    fs::create_dir_all(folder)?;
+    for (name, outline) in growth::outlines() {
+        fs::write(folder.join(format!("{name}.poly")), triangle::text(&name, &outline))?;
+    }
+    Ok(())
+}
 
 /// Writes the page of all experiments and its pictures into a folder, telling each one's name
 /// before it begins.

@@ -1,7 +1,6 @@
 //! The outlines of the experiments that are files.
 
-use std::path::Path;
-use std::{fs, io};
+use std::io;
 
 use meshwright::Pslg;
 use meshwright::formats::poly;
@@ -28,15 +27,6 @@ pub fn baltic() -> Result<Pslg, String> {
 /// The file cannot be read as an outline.
 pub fn norway() -> Result<Pslg, String> {
     read("norway_sogn.poly", include_bytes!("../../data/norway_sogn.poly"))
-}
-
-/// An outline of the large collection.
-///
-/// # Errors
-/// The file cannot be read, or not as an outline.
-pub fn of_the_collection(folder: &Path, file: &str) -> Result<Pslg, String> {
-    let text = fs::read(folder.join(file)).map_err(|error| format!("{file}: {error}"))?;
-    read(file, &text)
 }
 
 fn read(name: &str, text: &[u8]) -> Result<Pslg, String> {

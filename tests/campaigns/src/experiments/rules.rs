@@ -1,6 +1,5 @@
 //! The adaptive rule against Ruppert's and the Terminator.
 
-use meshwright::refine::End;
 use meshwright::{MinAngle, Parameters, Pslg, Rule, Splitting};
 
 use super::Section;
@@ -74,14 +73,6 @@ fn run(outline: &Pslg, rules: Parameters) -> Result<Run, String> {
 }
 
 fn row(name: &str, outline: &Pslg, rule: &str, run: &Run) -> Vec<String> {
-    let outcome = &run.outcome;
-    let places = outcome.refused_at.len();
-    let ends = match outcome.end {
-        End::Finished if outcome.refused == 0 => "by itself".to_owned(),
-        End::Finished if places == 1 => "where doubles end, near 1 point".to_owned(),
-        End::Finished => format!("where doubles end, near {places} points"),
-        End::PointBudget | End::Cancelled => "at the budget".to_owned(),
-    };
     vec![
         name.to_owned(),
         degrees(smallest_angle(outline).unwrap_or_default()),
@@ -89,7 +80,7 @@ fn row(name: &str, outline: &Pslg, rule: &str, run: &Run) -> Vec<String> {
         grouped(run.points()),
         run.smallest(),
         run.largest(),
-        ends,
+        run.ends(),
     ]
 }
 

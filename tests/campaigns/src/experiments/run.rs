@@ -61,6 +61,18 @@ impl Run {
         format!("{:.2}°", self.statistics.largest_angle.to_degrees())
     }
 
+    /// Where the run ends: by itself, where doubles end, or at the budget of points.
+    #[must_use]
+    pub fn ends(&self) -> String {
+        let outcome = &self.outcome;
+        match (outcome.end, outcome.refused, outcome.refused_at.len()) {
+            (End::Finished, 0, _) => "by itself".to_owned(),
+            (End::Finished, _, 1) => "where doubles end, near 1 point".to_owned(),
+            (End::Finished, _, places) => format!("where doubles end, near {places} points"),
+            (End::PointBudget | End::Cancelled, ..) => "at the budget".to_owned(),
+        }
+    }
+
     /// The mesh as a picture without a legend.
     #[must_use]
     pub fn picture(&self, width: f64, zoom: Option<[f64; 4]>, points: Dots) -> Vec<u8> {

@@ -13,7 +13,7 @@ use crate::plane::distance;
 /// The seed of the pictures.
 const SHOWN: u64 = 900;
 /// The seeds of the distribution.
-const SEEDS: std::ops::Range<u64> = 900..960;
+pub const SEEDS: std::ops::Range<u64> = 900..960;
 /// The number of the point that the spokes of [`spokes20`] meet at, and of the first spoke.
 const AXLE: usize = 4;
 
@@ -98,7 +98,8 @@ fn distribution(section: &mut Section) -> Result<(), String> {
 ///
 /// Shell points lie at powers of two; the coordinates of a cut are rounded, so its distance is
 /// compared to nine digits.
-fn common_cut(outline: &Pslg, mesh: &Mesh) -> Option<f64> {
+#[must_use]
+pub fn common_cut(outline: &Pslg, mesh: &Mesh) -> Option<f64> {
     let axle = outline.points[AXLE];
     let spokes = AXLE..outline.segments.len();
     let mut first = vec![f64::INFINITY; outline.segments.len()];

@@ -1,7 +1,7 @@
 //! The paper's numbered statements, each by its name: *When and Why Delaunay Refinement
 //! Algorithms Work* (Miller, Pav and Walkington), with the corrections of ALGORITHM §11.
 //!
-//! - [`feature_size`]: what holds for the local feature size and the shortest edge.
+//! - [`certificates`]: what the certificate says of whole meshes, G8 to G10.
 //! - [`geometry`]: what holds for points, rays and circles.
 //! - [`subsegments`]: what holds for pieces of segments that are split at their midpoints.
 //! - [`sequences`]: circumcenter sequences (Definition 2).
@@ -10,8 +10,8 @@
 //! - [`figures`]: what the paper's pictures show.
 //! - [`corrections`]: where the text says something else than its proofs.
 
+mod certificates;
 mod corrections;
-mod feature_size;
 mod figures;
 mod geometry;
 mod grooming;
