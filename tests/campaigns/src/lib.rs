@@ -4,6 +4,7 @@
 //! - [`figures`]: outlines that a figure is known for: one wedge, 20 spokes, a turned grid.
 //! - [`families`]: random outlines, each family nasty in one way.
 //! - [`hostile`]: everything at once, clean by construction.
+//! - [`profiles`]: ways of meshing, drawn at random.
 //! - [`sketch`], [`plane`], [`measure`], [`motion`], [`poly`]: what those are made with.
 //! - [`corpus`]: the large collection of outlines, and what is known of each.
 //! - [`survey`]: tables over that collection.
@@ -21,6 +22,7 @@ pub mod measure;
 pub mod motion;
 pub mod plane;
 pub mod poly;
+pub mod profiles;
 mod random;
 pub mod run;
 pub mod shrink;

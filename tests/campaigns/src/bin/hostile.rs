@@ -9,6 +9,8 @@ use meshwright::certify::Guarantee;
 use meshwright::{Parameters, Pslg};
 use meshwright_campaigns::hostile::{Census, hostile};
 use meshwright_campaigns::judge::{Verdict, judge};
+use meshwright_campaigns::measure::smallest_angle;
+use meshwright_campaigns::profiles;
 use meshwright_campaigns::run::{Ending, FailureFolder, Timed, guarded, in_order};
 use meshwright_campaigns::shrink::shrink;
 
@@ -43,6 +45,9 @@ struct Arguments {
     /// Print a line for every outline, not for the failing ones alone
     #[arg(long)]
     all: bool,
+    /// Draw the rules at random too, among those that promise to end: each outline has its own
+    #[arg(long)]
+    profiles: bool,
     /// Only make the outlines and count what they are like
     #[arg(long)]
     census: bool,
@@ -57,6 +62,17 @@ fn main() -> std::io::Result<ExitCode> {
         failed += run(&arguments)?;
     }
     Ok(if failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+impl Arguments {
+    /// The rules that an outline is meshed by.
+    fn parameters(&self, index: u64, outline: &Pslg) -> Parameters {
+        if self.profiles {
+            profiles::draw(self.seed, index, smallest_angle(outline))
+        } else {
+            Parameters::default()
+        }
+    }
 }
 
 /// What one run tells.
@@ -74,9 +90,10 @@ fn run(arguments: &Arguments) -> std::io::Result<u64> {
     let mut trouble = Ok(());
     let mesh_one = |i: usize| {
         let index = arguments.first + i as u64;
-        let seed = arguments.seed;
+        let outline = hostile(arguments.seed, index);
+        let parameters = arguments.parameters(index, &outline);
         guarded(move || {
-            let judged = judge(&hostile(seed, index), &Parameters::default());
+            let judged = judge(&outline, &parameters);
             Told { points: judged.points(), verdict: judged.verdict }
         })
     };
@@ -99,8 +116,11 @@ fn run(arguments: &Arguments) -> std::io::Result<u64> {
             println!("        {}", reason.replace('\n', "\n        "));
         }
         if !reasons.is_empty() {
+            let outline = hostile(arguments.seed, index);
+            let parameters = arguments.parameters(index, &outline);
+            println!("        {}", profiles::options(&parameters));
             let name = format!("hostile_{}_{index}", arguments.seed);
-            let kept = keep(&folder, &name, &hostile(arguments.seed, index), &reasons);
+            let kept = keep(&folder, &name, &outline, &parameters, &reasons);
             trouble = std::mem::replace(&mut trouble, Ok(())).and(kept);
         }
     });
@@ -120,19 +140,21 @@ fn keep(
     folder: &FailureFolder,
     name: &str,
     outline: &Pslg,
+    parameters: &Parameters,
     reasons: &[String],
 ) -> std::io::Result<()> {
-    folder.keep(name, outline, &reasons.join("\n"))?;
+    let options = profiles::options(parameters);
+    folder.keep(name, outline, &format!("{options}\n{}", reasons.join("\n")))?;
     let original = broken(reasons);
     if folder.is_none() || original.is_empty() {
         return Ok(());
     }
-    let fails_alike = |smaller: &Pslg| match judge(smaller, &Parameters::default()).verdict {
+    let fails_alike = |smaller: &Pslg| match judge(smaller, parameters).verdict {
         Verdict::Failed(reasons) => broken(&reasons) == original,
         _ => false,
     };
     let small = shrink(outline, &fails_alike);
-    folder.keep(&format!("{name}_small"), &small, &original.join(" "))
+    folder.keep(&format!("{name}_small"), &small, &format!("{options}\n{}", original.join(" ")))
 }
 
 /// The codes of the guarantees that are broken: the first words of the reasons, where those are.

@@ -3,18 +3,12 @@
 use meshwright::draw::{self, Dots, Options};
 use meshwright::refine::End;
 use meshwright::statistics::{Kinds, Statistics};
-use meshwright::{Excuse, Outcome, Parameters, Pslg, Region, Splitting, Steiner};
+use meshwright::{Outcome, Parameters, Pslg, Splitting};
 
-/// The paper's rules (profile `paper`): the hull, shells, midpoints, circumcenters.
+/// The paper's rules (profile `paper`) with this way of splitting.
 #[must_use]
 pub fn paper(splitting: Splitting) -> Parameters {
-    Parameters {
-        splitting,
-        excuse: Excuse::Midpoints,
-        steiner: Steiner::Circumcenter,
-        region: Region::Hull,
-        ..Parameters::default()
-    }
+    Parameters { splitting, ..Parameters::paper() }
 }
 
 /// A mesh and its figures.

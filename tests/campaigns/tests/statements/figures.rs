@@ -1,11 +1,9 @@
 //! Figures 11 and 12: 20 spokes.
 
-use meshwright::{Mesh, Pslg};
+use meshwright::{Mesh, Parameters, Pslg};
 use meshwright_campaigns::figures::spokes20;
 use meshwright_campaigns::judge::judge;
 use meshwright_campaigns::plane::distance;
-
-use crate::meshes::paper;
 
 /// The distance of the first point on each spoke from the axle.
 fn first_cuts(outline: &Pslg, mesh: &Mesh) -> Vec<f64> {
@@ -27,7 +25,7 @@ fn figure_12() {
     let mut same = 0;
     for seed in 900..920 {
         let outline = spokes20(seed);
-        let cuts = first_cuts(&outline, &judge(&outline, &paper()).well().mesh);
+        let cuts = first_cuts(&outline, &judge(&outline, &Parameters::paper()).well().mesh);
         assert_eq!(cuts.len(), 20);
         let is = |cut: f64, power: f64| (cut / power - 1.0).abs() < 1e-12;
         same += u32::from([1.0 / 32.0, 1.0 / 64.0].iter().any(|&p| cuts.iter().all(|&c| is(c, p))));

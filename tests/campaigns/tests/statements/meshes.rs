@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_3, PI, SQRT_2};
 
 use meshwright::formats::Provenance;
-use meshwright::{Excuse, Mesh, MinAngle, Parameters, Pslg, Region, Rule, Splitting, Steiner};
+use meshwright::{Mesh, MinAngle, Parameters, Pslg, Region, Rule};
 use meshwright_campaigns::Random;
 use meshwright_campaigns::families::Family;
 use meshwright_campaigns::figures::{self, corners};
@@ -18,17 +18,6 @@ use crate::{f, kappa_hat};
 
 /// Slack of ALGORITHM's G5: equality occurs.
 const SLACK: f64 = 1e-7;
-
-/// The paper's own rules.
-pub fn paper() -> Parameters {
-    Parameters {
-        splitting: Splitting::Shells,
-        excuse: Excuse::Midpoints,
-        steiner: Steiner::Circumcenter,
-        region: Region::Hull,
-        ..Parameters::default()
-    }
-}
 
 /// The default rules.
 fn ours() -> Parameters {
@@ -98,7 +87,7 @@ fn angle_of_segments(outline: &Pslg, s: u32, t: u32) -> Option<f64> {
 fn lemma_7() {
     let mut across = 0;
     let kappa = MinAngle::default().radians();
-    for parameters in [paper(), ours()] {
+    for parameters in [Parameters::paper(), ours()] {
         for (name, outline) in outlines_for(&parameters) {
             let mesh = judge(&outline, &parameters).well().mesh;
             let on_segment = segment_of_point(&outline, &mesh);
@@ -133,7 +122,8 @@ fn corollary_3() {
         let min_angle = MinAngle::from_degrees(degrees).expect("within the range");
         let bound = (PI - 2.0 * degrees.to_radians())
             .max(PI - 2.0 * libm::asin((libm::sqrt(3.0) - 1.0) / 2.0));
-        for parameters in [Parameters { min_angle, ..paper() }, Parameters { min_angle, ..ours() }]
+        for parameters in
+            [Parameters { min_angle, ..Parameters::paper() }, Parameters { min_angle, ..ours() }]
         {
             for (name, outline) in outlines_for(&parameters) {
                 let mesh = judge(&outline, &parameters).well().mesh;
@@ -181,7 +171,7 @@ fn claim_8_1() {
 fn claim_5_3_on_meshes() {
     let mut deepest = 0;
     for (name, outline) in boxed_outlines() {
-        let mesh = judge(&outline, &paper()).well().mesh;
+        let mesh = judge(&outline, &Parameters::paper()).well().mesh;
         for chain in chains(&outline, &mesh) {
             let counts_as_input = |v: &u32| mesh.provenance[*v as usize] != Provenance::Midpoint;
             let stops: Vec<usize> =
@@ -221,7 +211,7 @@ fn claim_5_3_on_meshes() {
 fn claim_5_1_on_meshes() {
     let mut away_from_x = 0;
     for (name, outline) in boxed_outlines() {
-        let mesh = judge(&outline, &paper()).well().mesh;
+        let mesh = judge(&outline, &Parameters::paper()).well().mesh;
         for chain in chains(&outline, &mesh) {
             let reversed: Vec<u32> = chain.iter().rev().copied().collect();
             for chain in [chain, reversed] {
@@ -249,8 +239,12 @@ fn claim_10_1() {
         let Some(theta_star) = smallest_angle(&outline) else { continue };
         let limit = kappa_hat().min(f(theta_star.min(FRAC_PI_3)));
         let kappa = MinAngle::from_degrees((0.999 * limit).to_degrees()).expect("below 26.45°");
-        let parameters =
-            Parameters { rule: Rule::Ruppert, min_angle: kappa, max_points: 200_000, ..paper() };
+        let parameters = Parameters {
+            rule: Rule::Ruppert,
+            min_angle: kappa,
+            max_points: 200_000,
+            ..Parameters::paper()
+        };
         let mesh = judge(&outline, &parameters).well().mesh;
         refined += mesh.points.len() - outline.points.len().min(mesh.points.len());
         for [p, q, r] in corners_of(&mesh) {
@@ -274,7 +268,7 @@ fn theorem_4() {
     for seed in 0..24 {
         let outline = dyadic_spokes(&mut Random::new(seed));
         let least = smallest_feature_size(&outline) / mu;
-        let mesh = judge(&outline, &paper()).well().mesh;
+        let mesh = judge(&outline, &Parameters::paper()).well().mesh;
         for &[v, w] in &mesh.edges {
             // The radius of a midpoint is the length of the two subsegments that it made.
             let size = distance(mesh.points[v as usize], mesh.points[w as usize]);
@@ -292,7 +286,7 @@ fn corollary_2() {
         let outline = dyadic_spokes(&mut Random::new(seed));
         let theta_star = smallest_angle(&outline).unwrap_or(FRAC_PI_3).min(FRAC_PI_3);
         let least = smallest_feature_size(&outline) * 2.0 * libm::sin(0.5 * theta_star) / mu;
-        let mesh = judge(&outline, &paper()).well().mesh;
+        let mesh = judge(&outline, &Parameters::paper()).well().mesh;
         // The closest pair of points is an edge of a Delaunay triangulation.
         for [p, q, _] in corners_of(&mesh) {
             let size = distance(mesh.points[p as usize], mesh.points[q as usize]);
