@@ -60,7 +60,10 @@ pub fn faces_of_triangles(initial: &Initial, domain: &Domain) -> Vec<u32> {
 
 /// The face to the left of the segment from one vertex to another; `None` if there is none.
 fn face_to_the_left(domain: &Domain, initial: &Initial, ends: [u32; 2]) -> Option<u32> {
-    let [a, b] = ends.map(|v| initial.domain_points[v as usize]);
+    // The corners of the box around are none of the domain's points.
+    let [Some(&a), Some(&b)] = ends.map(|v| initial.domain_points.get(v as usize)) else {
+        return None;
+    };
     let fewer = if domain.adjoining(a).len() <= domain.adjoining(b).len() { a } else { b };
     domain.adjoining(fewer).iter().find_map(|&segment| {
         let [left, right] = domain.faces.sides(segment);

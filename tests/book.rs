@@ -60,7 +60,7 @@ const STATEMENTS: [&str; 53] = [
 ];
 
 /// Where the code leaves the paper, in the book's order.
-const OURS: [&str; 12] = [
+const OURS: [&str; 13] = [
     "Ladder",
     "Measured excuse",
     "Off-center",
@@ -73,6 +73,7 @@ const OURS: [&str; 12] = [
     "Order",
     "Exact predicates",
     "The judge",
+    "M-matrix",
 ];
 
 /// The columns of a row: name, code, tests, remarks.

@@ -215,6 +215,7 @@ impl Suspect<'_, '_> {
 
     fn is_limited(&self) -> bool {
         self.floor.covers(&self.complex.triangles[self.t])
+            || self.floor.stops(self.complex, self.chains, self.t)
     }
 
     fn fault(&self, kind: FaultKind) -> Fault {

@@ -3,7 +3,8 @@
 //! Two segments that meet at x with angle θ cannot be told apart, as the theorem needs it, at a
 //! distance d from x with θ²·d < 4·ulp(M) or θ·d < φ = 2^12·ulp(M). What lies in that stretch of
 //! the two, or between them, follows from the outline alone; the triangles with a point there are
-//! not promised G3 and G5–G7.
+//! not promised G3 and G5–G7, and those whose circumcenter encroaches a subsegment there are not
+//! promised G5–G7.
 //!
 //! Neither are those at two features that do not adjoin and are less than 2φ apart: between them
 //! the theorem asks for edges that are shorter than φ, which are refused.
@@ -107,6 +108,40 @@ impl Floor {
         triangle.iter().any(|&v| self.limited[v as usize])
     }
 
+    /// Whether the circumcenter of triangle `t` lies in the diametral disc of a subsegment with a
+    /// point in a stretch. Splits of that one were refused, and so was the circumcenter: the
+    /// triangle is as it is because of the stretch, though it has no point there.
+    ///
+    /// The subsegment is sought as far as triangles have circles that hold the circumcenter.
+    pub(super) fn stops(&self, complex: &Complex, chains: &Chains, t: usize) -> bool {
+        if self.apexes.is_empty() && self.narrows.is_empty() {
+            return false;
+        }
+        let center = circumcenter(complex.triangles[t].map(|v| complex.at(v)));
+        let (mut found, mut i) = (vec![t as u32], 0);
+        while i < found.len() && found.len() < MOST_IN_A_CAVITY {
+            for h in 3 * found[i]..3 * found[i] + 3 {
+                let ends = complex.edge(h);
+                let beyond = complex.twin[h as usize];
+                if chains.is_subsegment(h) {
+                    let [a, b] = ends.map(|v| complex.at(v));
+                    let is_limited = ends.iter().any(|&v| self.limited[v as usize]);
+                    if is_limited && exact::diametral(a, b, center) == Ordering::Less {
+                        return true;
+                    }
+                } else if beyond != NONE && !found.contains(&(beyond / 3)) {
+                    let corners = complex.triangles[beyond as usize / 3];
+                    let [a, b, c] = corners.map(|v| complex.at(v));
+                    if exact::in_circle(a, b, c, center) == Ordering::Greater {
+                        found.push(beyond / 3);
+                    }
+                }
+            }
+            i += 1;
+        }
+        false
+    }
+
     fn mark(&mut self, outline: &Outline, complex: &Complex, chains: &Chains, stretch: Stretch) {
         let Stretch { x, g, h, theta, reach } = stretch;
         let origin = outline.points[x as usize];
@@ -166,6 +201,17 @@ struct Stretch {
 
 /// φ in ulp(M): nothing shorter is made.
 pub(super) const FLOOR: f64 = 4096.0;
+
+/// A circumcenter is looked for in no more triangles.
+const MOST_IN_A_CAVITY: usize = 64;
+
+/// The circumcenter, rounded.
+fn circumcenter([a, b, c]: [[f64; 2]; 3]) -> [f64; 2] {
+    let [p, q] = [b, c].map(|corner| [corner[0] - a[0], corner[1] - a[1]]);
+    let [pp, qq] = [p, q].map(|side| side[0] * side[0] + side[1] * side[1]);
+    let twice = 2.0 * exact::cross(a, b, c).to_f64();
+    [a[0] + (q[1] * pp - p[1] * qq) / twice, a[1] + (p[0] * qq - q[0] * pp) / twice]
+}
 
 fn narrow(outline: &Outline, complex: &Complex, point: u32, to: NarrowTo, gap: f64) -> Narrow {
     Narrow {

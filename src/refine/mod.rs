@@ -184,7 +184,7 @@ impl<'a> Refinement<'a> {
         let worst_first =
             parameters.steiner == Steiner::Circumcenter || parameters.rule != Rule::Adaptive;
         Self {
-            provenances: Provenances::of_inputs(mesh.points.len()),
+            provenances: Provenances::of_inputs(domain.points.len(), mesh.points.len()),
             mesh,
             segments,
             refused: Refused::default(),

@@ -42,10 +42,11 @@ pub struct Provenances {
 }
 
 impl Provenances {
-    /// The provenances of the `inputs` points of a domain.
+    /// The provenances of the first `vertices`, of which `inputs` are the points of a domain; others
+    /// behind them are no points of the mesh.
     #[must_use]
-    pub fn of_inputs(inputs: usize) -> Self {
-        Self { places: vec![0; inputs], segment_points: Vec::new(), inputs: inputs as u32 }
+    pub fn of_inputs(inputs: usize, vertices: usize) -> Self {
+        Self { places: vec![0; vertices], segment_points: Vec::new(), inputs: inputs as u32 }
     }
 
     /// How many vertices are points of the domain: the first ones.

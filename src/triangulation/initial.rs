@@ -3,16 +3,19 @@
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 
 use super::{Edge, Triangle};
+use crate::Region;
 use crate::corners::previous;
 use crate::domain::Domain;
 use crate::predicates::{Side, side};
 
-/// The constrained Delaunay triangulation of a whole domain's convex hull, before carving.
+/// The constrained Delaunay triangulation of a whole domain's convex hull (or of a box around it),
+/// before carving.
 #[derive(Debug)]
 pub struct Initial {
-    /// The domain's points along a Hilbert curve.
+    /// The domain's points along a Hilbert curve; behind them, where the whole is refined
+    /// ([`Region::Global`]), the corners of a box around them.
     pub points: Vec<[f64; 2]>,
-    /// For each of them, its index in the domain.
+    /// For each point of the domain, its index there.
     pub domain_points: Vec<u32>,
     /// All triangles, in the order of their first vertices.
     pub triangles: Vec<Triangle>,
@@ -39,6 +42,9 @@ type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
 /// Triangulates the convex hull of the domain, with every segment an edge.
 ///
+/// Where the whole is refined it is a box. A segment along the hull would have nothing behind it but
+/// triangles as flat as rounding made them, and a point that splits it would lie beyond those.
+///
 /// # Errors
 /// See [`Error`].
 pub fn triangulate(domain: &Domain) -> Result<Initial, Error> {
@@ -46,7 +52,10 @@ pub fn triangulate(domain: &Domain) -> Result<Initial, Error> {
         return Err(Error::TooManyPoints);
     }
     let domain_points = along_hilbert_curve(&domain.points);
-    let points: Vec<_> = domain_points.iter().map(|&i| domain.points[i as usize]).collect();
+    let mut points: Vec<_> = domain_points.iter().map(|&i| domain.points[i as usize]).collect();
+    if domain.region == Region::Global {
+        points.extend(box_around(&points));
+    }
     let cdt = load(&points, &constraints(domain, &domain_points))?;
     let (triangles, slots) = triangles_of(&cdt);
     if triangles.iter().any(|t| !counter_clockwise(t, &points)) {
@@ -128,17 +137,27 @@ fn counter_clockwise(triangle: &Triangle, points: &[[f64; 2]]) -> bool {
     side(a, b, c) == Side::Left
 }
 
+/// The corners of a box that is larger than the points' by its size on every side: no segment's
+/// diametral disc reaches them.
+fn box_around(points: &[[f64; 2]]) -> [[f64; 2]; 4] {
+    let (low, high) = extent(points);
+    let size = (high[0] - low[0]).max(high[1] - low[1]);
+    let ([left, bottom], [right, top]) = (low.map(|c| c - size), high.map(|c| c + size));
+    [[left, bottom], [right, bottom], [right, top], [left, top]]
+}
+
+/// The least and the largest coordinates.
+fn extent(points: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
+    let empty = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    points.iter().fold(empty, |(low, high), point| {
+        ([0, 1].map(|i| low[i].min(point[i])), [0, 1].map(|i| high[i].max(point[i])))
+    })
+}
+
 /// The indices of the points in their order along a Hilbert curve through their bounding square,
 /// 2^16 cells a side. Scaling by a power of two changes nothing.
 fn along_hilbert_curve(points: &[[f64; 2]]) -> Vec<u32> {
-    let mut low = [f64::INFINITY; 2];
-    let mut high = [f64::NEG_INFINITY; 2];
-    for point in points {
-        for i in 0..2 {
-            low[i] = low[i].min(point[i]);
-            high[i] = high[i].max(point[i]);
-        }
-    }
+    let (low, high) = extent(points);
     let width = (high[0] - low[0]).max(high[1] - low[1]);
     let cell = |c: f64, i: usize| ((c - low[i]) / width * 65535.0) as u32;
     let mut keyed: Vec<(u32, u32)> = points

@@ -9,9 +9,11 @@
 //! - [`corpus`]: the large collection of outlines, and what is known of each.
 //! - [`survey`]: tables over that collection.
 //! - [`experiments`]: the tables and pictures of the paper, made again.
+//! - [`book`]: the index of the book of the paper.
 //! - [`judge`], [`run`], [`shrink`]: meshing, judging, doing so two thousand times, and making small
 //!   what fails.
 
+pub mod book;
 pub mod corpus;
 pub mod experiments;
 pub mod families;

@@ -1,7 +1,8 @@
 //! Ways of meshing, drawn at random among those that promise to end.
 
-use meshwright::{Excuse, MinAngle, Parameters, Region, Splitting, Steiner};
+use meshwright::{Excuse, MinAngle, Parameters, Pslg, Region, Splitting, Steiner};
 
+use crate::figures::in_a_box;
 use crate::random::Random;
 
 /// On shells, and after Algorithm 1, an angle θ costs in proportion to 1/θ: these are drawn for
@@ -30,20 +31,32 @@ pub fn draw(seed: u64, index: u64, smallest: Option<f64>) -> Parameters {
 fn mixed(shells: bool, random: &mut Random) -> Parameters {
     let splittings = [Splitting::Ladder, Splitting::Shells, Splitting::Augment];
     let soft = [None, None, Some(30.0), Some(33.0), Some(34.0)];
-    let min_angle =
-        if random.chance(0.25) { random.range(5.0, MinAngle::LARGEST_DEGREES) } else { 26.45 };
+    let soft = random
+        .pick(&soft)
+        .map(|degrees| MinAngle::soft_from_degrees(degrees).expect("it is within the range"));
+    let lower = MinAngle::from_degrees(random.range(5.0, MinAngle::LARGEST_DEGREES));
+    let is_lower = soft.is_none() && random.chance(0.25);
     Parameters {
         splitting: *random.pick(if shells { &splittings } else { &splittings[..1] }),
         excuse: *random.pick(&[Excuse::Measured, Excuse::Midpoints]),
         steiner: *random.pick(&[Steiner::OffCenter, Steiner::Circumcenter]),
         region: *random.pick(&[Region::Domain, Region::Hull, Region::Global]),
         incremental: random.chance(0.3),
-        min_angle: MinAngle::from_degrees(min_angle).expect("it is within the range"),
-        soft_angle: random
-            .pick(&soft)
-            .map(|degrees| MinAngle::soft_from_degrees(degrees).expect("it is within the range")),
+        min_angle: if is_lower {
+            lower.expect("it is within the range")
+        } else {
+            MinAngle::default()
+        },
+        soft_angle: soft,
         ..Parameters::default()
     }
+}
+
+/// The outline as these parameters want it: where the whole convex hull is meshed in a box, as in the
+/// paper. The hull's own edges would run as near to other features as chance has it.
+#[must_use]
+pub fn prepared(outline: Pslg, parameters: &Parameters) -> Pslg {
+    if parameters.region == Region::Hull { in_a_box(&outline) } else { outline }
 }
 
 /// The options of the command `meshwright mesh` that ask for these parameters.
@@ -57,6 +70,7 @@ pub fn options(parameters: &Parameters) -> String {
         one_word => one_word.to_lowercase(),
     };
     let angle = soft_angle.unwrap_or(*min_angle).degrees();
+    let angle = libm::round(angle * 1e9) / 1e9;
     let options = format!(
         "--splitting {} --excuse {} --steiner {} --region {} --min-angle {angle}",
         word(splitting),

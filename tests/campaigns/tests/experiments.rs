@@ -1,9 +1,10 @@
-//! The page of experiments is what the code makes. Where a change of the code moves its figures:
+//! The page of experiments and the index of the book are what the code makes. Where a change of the code moves its figures:
 //! `cargo run --release -p meshwright-campaigns --bin experiments` makes it again.
 
 use std::fs;
 use std::path::PathBuf;
 
+use meshwright_campaigns::book::with_index;
 use meshwright_campaigns::experiments::histogram::{Axis, counts, histogram};
 use meshwright_campaigns::experiments::{ALL, OPENING, growth, triangle};
 use meshwright_campaigns::figures;
@@ -56,6 +57,16 @@ fn triangles_points_are_recorded_of_these_very_outlines() {
     assert!(error.contains("another outline of the name `wedge_1`"), "{error}");
     let error = triangle::points("wedge_2", &other).expect_err("there is none");
     assert!(error.contains("no row for `wedge_2`"), "{error}");
+}
+
+#[test]
+fn the_books_index_is_made_again_byte_for_byte() {
+    let file = folder().join("../paper.md");
+    let book = fs::read_to_string(file).expect("the book is there");
+    assert!(
+        with_index(&book) == book,
+        "cargo run -p meshwright-campaigns --bin book makes it again"
+    );
 }
 
 #[test]

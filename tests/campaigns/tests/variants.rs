@@ -4,10 +4,11 @@ use meshwright::certify::{Guarantee, Promise, Verdict as Found, certify};
 use meshwright::constructions::Angle;
 use meshwright::formats::Provenance;
 use meshwright::refine::incremental::Feature;
-use meshwright::{MinAngle, Parameters, Pslg, Region, Rule, Splitting, mesh};
+use meshwright::{MinAngle, Parameters, Pslg, Region, Rule, Splitting, Steiner, mesh};
 use meshwright_campaigns::families::Family;
 use meshwright_campaigns::figures;
 use meshwright_campaigns::judge::{Verdict, judge};
+use meshwright_campaigns::plane::polar;
 
 /// The paper's own rules, with another way of splitting.
 fn paper(splitting: Splitting) -> Parameters {
@@ -163,6 +164,50 @@ fn global_refinement_sees_through_what_is_not_meshed() {
     let together = judge(&outline, &global).well();
     assert!(together.mesh.points.len() > alone.mesh.points.len());
     assert!(certify(&outline, &together.mesh, &promise).holds());
+}
+
+/// Two legs at 1.5e-9 rad and a point beside them: the circumcenter of a triangle at that point
+/// encroaches a subsegment that doubles no longer split, though the triangle has no point there.
+#[test]
+fn a_circumcenter_that_doubles_refuse_is_their_limit() {
+    let outline = figures::outline(
+        vec![
+            [-0.2619558813927706, -1.3897406650896191],
+            [1.3897406650896191, -0.2619558813927706],
+            [0.2619558813927706, 1.3897406650896191],
+            [-1.3897406650896191, 0.2619558813927706],
+            [-0.21148691872219363, -0.6361624663025858],
+            [-0.29071728723238177, -0.6011305488681432],
+            [-0.36619168935204915, -0.5677593422052731],
+            [-0.3411682790000613, -0.5788235095995568],
+        ],
+        vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 6], [4, 7]],
+    );
+    let steiner = Steiner::Circumcenter;
+    let judged =
+        judge(&outline, &Parameters { steiner, incremental: true, ..Parameters::default() });
+    assert_eq!(judged.verdict, Verdict::Limited);
+}
+
+/// A segment beside the hull at rounding distance: where it is split, the new point may lie beyond
+/// the hull.
+#[test]
+fn global_refinement_splits_what_runs_along_the_hull() {
+    for turn in (0..60).map(|i| 0.1 * f64::from(i)) {
+        let at = |distance: f64, towards: f64| polar([0.0, 0.0], turn + towards, distance);
+        let outline = Pslg {
+            points: vec![[0.0, 0.0], at(1.0, 0.0), at(1.0, 0.05), at(3.0, 0.0)],
+            segments: vec![[0, 1], [1, 2], [2, 0]],
+            segment_tags: vec![0; 3],
+            ..Pslg::default()
+        };
+        for steiner in [Steiner::OffCenter, Steiner::Circumcenter] {
+            let global = Parameters { region: Region::Global, steiner, ..Parameters::default() };
+            let outcome = mesh(&outline, &global).expect("it is clean");
+            assert!(outcome.certificate.holds(), "{turn}: {}", outcome.certificate);
+            assert_eq!(outcome.refused, 0, "{turn}");
+        }
+    }
 }
 
 #[test]

@@ -65,13 +65,14 @@ fn main() -> std::io::Result<ExitCode> {
 }
 
 impl Arguments {
-    /// The rules that an outline is meshed by.
-    fn parameters(&self, index: u64, outline: &Pslg) -> Parameters {
-        if self.profiles {
-            profiles::draw(self.seed, index, smallest_angle(outline))
-        } else {
-            Parameters::default()
+    /// An outline and the rules that it is meshed by.
+    fn drawn(&self, index: u64) -> (Pslg, Parameters) {
+        let outline = hostile(self.seed, index);
+        if !self.profiles {
+            return (outline, Parameters::default());
         }
+        let parameters = profiles::draw(self.seed, index, smallest_angle(&outline));
+        (profiles::prepared(outline, &parameters), parameters)
     }
 }
 
@@ -90,8 +91,7 @@ fn run(arguments: &Arguments) -> std::io::Result<u64> {
     let mut trouble = Ok(());
     let mesh_one = |i: usize| {
         let index = arguments.first + i as u64;
-        let outline = hostile(arguments.seed, index);
-        let parameters = arguments.parameters(index, &outline);
+        let (outline, parameters) = arguments.drawn(index);
         guarded(move || {
             let judged = judge(&outline, &parameters);
             Told { points: judged.points(), verdict: judged.verdict }
@@ -116,8 +116,7 @@ fn run(arguments: &Arguments) -> std::io::Result<u64> {
             println!("        {}", reason.replace('\n', "\n        "));
         }
         if !reasons.is_empty() {
-            let outline = hostile(arguments.seed, index);
-            let parameters = arguments.parameters(index, &outline);
+            let (outline, parameters) = arguments.drawn(index);
             println!("        {}", profiles::options(&parameters));
             let name = format!("hostile_{}_{index}", arguments.seed);
             let kept = keep(&folder, &name, &outline, &parameters, &reasons);
