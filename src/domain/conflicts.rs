@@ -220,7 +220,14 @@ impl Dirty<'_> {
     }
 
     fn conflict(&self, kind: ConflictKind, [first, segment]: [u32; 2]) -> Conflict {
-        let item = |s: u32| Item::new(self.pslg, Kind::Segment, self.input_segments[s as usize]);
+        let item = |s: u32| match self.input_segments[s as usize] {
+            // A side of the hull that the outline lacks is known by where it starts.
+            u32::MAX => {
+                let start = self.linework.segments[s as usize][0];
+                Item::new(self.pslg, Kind::Point, self.input_points[start as usize])
+            }
+            input => Item::new(self.pslg, Kind::Segment, input),
+        };
         let (first_item, place) = match kind {
             ConflictKind::Crossing => (item(first), crossing(self.ends(first), self.ends(segment))),
             ConflictKind::Overlap => {

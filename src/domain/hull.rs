@@ -1,5 +1,8 @@
 //! The convex hull of the points.
 
+use std::ops::ControlFlow;
+
+use super::sweep::cross;
 use crate::boxes::{Boxes, Rectangle};
 use crate::predicates::{Side, side};
 use crate::vector::Vector;
@@ -74,6 +77,27 @@ pub fn through_near_points(
         chain.push([from, b]);
     }
     chain
+}
+
+/// Whether a segment crosses one of the edges. Edges of the hull itself are crossed by nothing; one
+/// that is bent through a point beside it may be.
+pub fn is_crossed(edges: &[[u32; 2]], points: &[[f64; 2]], segments: &[[u32; 2]]) -> bool {
+    let at = |ends: [u32; 2]| ends.map(|end| points[end as usize]);
+    let around = |&ends: &[u32; 2]| {
+        let [a, b] = at(ends);
+        Rectangle::around(a, b)
+    };
+    let rectangles: Vec<_> = segments.iter().map(around).collect();
+    let boxes = Boxes::new(&rectangles);
+    edges.iter().any(|edge| {
+        let crossed = boxes.overlapping(&around(edge), |segment| {
+            if cross(at(*edge), at(segments[segment as usize])) {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        });
+        crossed.is_break()
+    })
 }
 
 /// Whether the hull is narrower than `closest`: then its points lie on one line as far as doubles

@@ -138,7 +138,10 @@ impl Domain {
             let mut on_hull = vec![false; points.len()];
             hull_edges.iter().for_each(|&[start, _]| on_hull[start as usize] = true);
             let missing = hull::missing(hull_edges, &segments);
-            let chain = hull::through_near_points(&missing, &points, &on_hull, closest);
+            let bent = hull::through_near_points(&missing, &points, &on_hull, closest);
+            let is_bent = bent.len() > missing.len();
+            let is_crossed = is_bent && hull::is_crossed(&bent, &points, &segments);
+            let chain = if is_crossed { missing } else { bent };
             segments.extend(hull::missing(chain, &segments));
             input_segments.resize(segments.len(), u32::MAX);
             segment_tags.resize(segments.len(), 0);
