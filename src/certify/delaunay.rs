@@ -14,7 +14,16 @@ use crate::boxes::{Boxes, Rectangle};
 
 /// G2: an edge that is no piece of a segment is locally Delaunay: the apex on one side is not
 /// strictly inside the circle of the triangle on the other.
-pub(super) fn judge_edges(complex: &Complex, chains: &Chains, g2: &mut Judgement) {
+///
+/// Three points of one segment count as collinear (ALGORITHM §2): where doubles end, their rounding
+/// alone may have put one of them into the circle through the other two.
+pub(super) fn judge_edges(
+    outline: Option<&Outline>,
+    complex: &Complex,
+    chains: &Chains,
+    floor: &Floor,
+    g2: &mut Judgement,
+) {
     for h in 0..complex.twin.len() as u32 {
         let twin = complex.twin[h as usize];
         if twin == NONE || h > twin || chains.is_subsegment(h) {
@@ -25,9 +34,23 @@ pub(super) fn judge_edges(complex: &Complex, chains: &Chains, g2: &mut Judgement
         let [p, q, r, s] = [a, b, c, d].map(|v| complex.at(v));
         if exact::in_circle(p, q, r, s) == Ordering::Greater {
             let fault = Fault::at_edge(complex.mesh, FaultKind::NotDelaunay, [a, b]);
-            g2.add(fault.of_triangle(complex.number(h)).of_point(d));
+            let is_limited = (floor.covers(&[a, b, c]) || floor.covers(&[b, a, d]))
+                && outline.is_some_and(|outline| three_on_a_segment(outline, chains, [a, b, c, d]));
+            g2.add_unless(is_limited, fault.of_triangle(complex.number(h)).of_point(d));
         }
     }
+}
+
+/// Whether three of the points lie on one segment of the outline.
+fn three_on_a_segment(outline: &Outline, chains: &Chains, points: [u32; 4]) -> bool {
+    points.iter().map(|&v| chains.inside[v as usize]).filter(|&s| s != NONE).any(|s| {
+        let ends = outline.segments[s as usize].ends;
+        let is_on = |&&v: &&u32| {
+            let input = chains.input[v as usize];
+            chains.inside[v as usize] == s || (input != NONE && ends.contains(&input))
+        };
+        points.iter().filter(is_on).count() >= 3
+    })
 }
 
 /// G3: no apex is strictly inside the diametral disc of the piece of a segment opposite it.

@@ -98,7 +98,7 @@ pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
     tags::judge_regions(&outline, &complex, &chains, &mut g4);
 
     let floor = Floor::new(&outline, &complex, &chains);
-    delaunay::judge_edges(&complex, &chains, &mut g2);
+    delaunay::judge_edges(Some(&outline), &complex, &chains, &floor, &mut g2);
     delaunay::judge_discs(Some(&outline), &complex, &chains, &floor, &mut g3);
     if promise.region == Region::Global {
         delaunay::judge_discs_of_all(Some(&outline), &complex, &chains, &floor, &mut g3);
@@ -141,7 +141,7 @@ pub fn certify_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
     cover::judge_gaps(&complex, &chains, &mut g1);
 
     let floor = Floor::none(&complex);
-    delaunay::judge_edges(&complex, &chains, &mut g2);
+    delaunay::judge_edges(None, &complex, &chains, &floor, &mut g2);
     delaunay::judge_discs(None, &complex, &chains, &floor, &mut g3);
     if promise.region == Region::Global {
         delaunay::judge_discs_of_all(None, &complex, &chains, &floor, &mut g3);

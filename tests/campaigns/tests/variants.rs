@@ -4,7 +4,7 @@ use meshwright::certify::{Guarantee, Promise, Verdict as Found, certify};
 use meshwright::constructions::Angle;
 use meshwright::formats::Provenance;
 use meshwright::refine::incremental::Feature;
-use meshwright::{MinAngle, Parameters, Pslg, Region, Rule, Splitting, Steiner, mesh};
+use meshwright::{Excuse, MinAngle, Parameters, Pslg, Region, Rule, Splitting, Steiner, mesh};
 use meshwright_campaigns::families::Family;
 use meshwright_campaigns::figures;
 use meshwright_campaigns::judge::{Verdict, judge};
@@ -187,6 +187,36 @@ fn a_circumcenter_that_doubles_refuse_is_their_limit() {
     let judged =
         judge(&outline, &Parameters { steiner, incremental: true, ..Parameters::default() });
     assert_eq!(judged.verdict, Verdict::Limited);
+}
+
+/// Legs at 1e-9 rad: three points of one leg count as collinear, though their rounding puts one into
+/// the circle of the other two and a point of the other leg.
+#[test]
+fn three_points_of_a_segment_are_no_circle() {
+    let outline = figures::outline(
+        vec![
+            [-59.58369945433974, -51.43998534576479],
+            [-57.58369945433974, -51.43998534576479],
+            [-57.58369945433974, -49.43998534576479],
+            [-59.58369945433974, -49.43998534576479],
+            [-58.313596003523145, -49.60702092780105],
+            [-58.23142827680238, -49.59681195758216],
+            [-58.25236050042439, -49.599412691745954],
+            [-58.1483879436201, -49.586494567510016],
+            [-58.17938134532821, -49.59034535817671],
+        ],
+        vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [4, 6], [4, 7], [4, 8]],
+    );
+    let parameters = Parameters {
+        excuse: Excuse::Midpoints,
+        steiner: Steiner::Circumcenter,
+        incremental: true,
+        ..Parameters::default()
+    };
+    let judged = judge(&outline, &parameters);
+    assert_eq!(judged.verdict, Verdict::Limited);
+    let certificate = judged.well().certificate;
+    assert_eq!(certificate.verdict(Guarantee::Delaunay), Found::LimitedByPrecision);
 }
 
 /// A segment beside the hull at rounding distance: where it is split, the new point may lie beyond
