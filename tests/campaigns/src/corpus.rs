@@ -1,8 +1,8 @@
 //! The large collection of outlines that `MESHWRIGHT_DATA` names, and what is known of each.
 //!
 //! `answers.tsv` holds the answers for good files, `bad/expected.json` those for nasty ones; both
-//! were made without any mesher. Files of the formats in [`READ`] are taken, compressed ones too; some
-//! a second time, with other holes.
+//! were made without any mesher. Files of the formats in [`READ`] are taken, compressed ones too,
+//! each with and without a repair; some a second time, with other holes.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -25,13 +25,15 @@ pub fn folder() -> Option<PathBuf> {
     std::env::var_os(VARIABLE).map(PathBuf::from)
 }
 
-/// A file and what must happen to it (without any repair).
+/// A file and what must happen to it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Case {
     /// Its path below the collection's folder.
     pub file: String,
     /// What takes a face out, as `--holes` has it; `None`: as the format has it.
     pub holes: Option<Holes>,
+    /// The tolerance with which it is repaired first, 0 for none; `None`: it is not.
+    pub repair: Option<f64>,
     /// What may happen: one of these, nothing else.
     pub allowed: Vec<Ending>,
     /// The area of the mesh, if there is one, and how far it may be off (absolute).
@@ -162,14 +164,15 @@ fn answer(row: &str) -> Vec<Case> {
         return Vec::new();
     }
     let area: Option<f64> = area.parse().ok();
-    let (ending, named) = match (clean, area) {
-        ("yes", Some(area)) if area > 0.0 => (Ending::Meshes, Named::default()),
-        ("yes", _) => (Ending::Refused, Named::default()),
-        (faults, _) if faults.split("; ").all(is_merged) => {
-            (Ending::MeshesWithWarning, Named { any_line: true, ..Named::default() })
-        }
-        _ => (Ending::Refused, Named { any_line: true, ..Named::default() }),
+    let encloses = area.is_some_and(|area| area > 0.0);
+    let [ending, mended] = match clean {
+        "yes" if encloses => [Ending::Meshes; 2],
+        "yes" => [Ending::Refused; 2],
+        faults if faults.split("; ").all(is_merged) => [Ending::MeshesWithWarning; 2],
+        _ if encloses => [Ending::Refused, Ending::Meshes],
+        _ => [Ending::Refused; 2],
     };
+    let named = Named { any_line: clean != "yes", ..Named::default() };
     // OBJ: `g15`, `g28 m1`. One material tells no groups apart.
     let named_groups = |word: &str| word.strip_prefix('g').and_then(|count| count.parse().ok());
     let is_obj = file.ends_with(".obj");
@@ -177,6 +180,7 @@ fn answer(row: &str) -> Vec<Case> {
     let case = Case {
         file: file.to_owned(),
         holes: None,
+        repair: None,
         allowed: vec![ending],
         area: area.map(|area| (area, 1e-9 * area)),
         boundaries,
@@ -188,7 +192,15 @@ fn answer(row: &str) -> Vec<Case> {
     } else {
         (Holes::EvenOdd, number_after(note, "even-odd nesting would give "))
     };
-    with_other_holes(case, other, 1e-9)
+    with_repair(with_other_holes(case, other, 1e-9), 0.0, &[mended])
+}
+
+/// The cases, and the same ones repaired first.
+fn with_repair(cases: Vec<Case>, tolerance: f64, allowed: &[Ending]) -> Vec<Case> {
+    let mended =
+        |case: &Case| Case { repair: Some(tolerance), allowed: allowed.to_vec(), ..case.clone() };
+    let mended: Vec<Case> = cases.iter().map(mended).collect();
+    [cases, mended].concat()
 }
 
 /// The number that stands behind a text.
@@ -218,12 +230,17 @@ fn is_merged(fault: &str) -> bool {
 fn expectation(name: &str, case: &Value) -> Vec<Case> {
     let missing = case["about"].as_str().is_some_and(|about| about.contains("does not exist"));
     let words = case["expect"].as_str().unwrap_or_default().split('|');
-    let mut allowed: Vec<_> =
-        words.map(|word| if word == "ok" { Ending::Meshes } else { Ending::Refused }).collect();
+    let ending = |is_good: bool| if is_good { Ending::Meshes } else { Ending::Refused };
+    let mut allowed: Vec<_> = words.clone().map(|word| ending(word == "ok")).collect();
+    let mut mended: Vec<_> = words.map(|word| ending(word != "error")).collect();
     if missing {
         // A file that names one that is not there: wrong input, or nothing to read.
         allowed.push(Ending::Missing);
+        mended.push(Ending::Missing);
     }
+    let arguments = case["args"].as_array().into_iter().flatten().filter_map(Value::as_str);
+    let repair_tolerance = arguments.skip_while(|word| *word != "--tolerance").nth(1);
+    let repair_tolerance = repair_tolerance.and_then(|word| word.parse().ok()).unwrap_or(0.0);
     let result = &case["result"];
     let area = result["area"].as_f64();
     let tolerance = result["area_tolerance"].as_f64();
@@ -251,23 +268,38 @@ fn expectation(name: &str, case: &Value) -> Vec<Case> {
     let case = Case {
         file: format!("bad/{name}"),
         holes: None,
+        repair: None,
         allowed,
         area: area.map(|area| (area, tolerance.unwrap_or(1e-6 * area))),
         boundaries: None,
         names: names.map(str::to_owned).collect(),
         named: Named { places, any_line: false, only_if_refused: case["expect"] == "ok|error" },
     };
-    with_other_holes(case, (Holes::None, result["area_all"].as_f64()), 1e-6)
+    let cases = with_other_holes(case, (Holes::None, result["area_all"].as_f64()), 1e-6);
+    with_repair(cases, repair_tolerance, &mended)
 }
 
 impl Case {
-    /// The file and the option that it is read with.
+    /// The options that it is read with.
+    #[must_use]
+    pub fn options(&self) -> Vec<String> {
+        let mut words: Vec<String> = Vec::new();
+        if let Some(holes) = self.holes {
+            words.extend(["--holes", holes.word()].map(str::to_owned));
+        }
+        if let Some(tolerance) = self.repair {
+            words.push("--repair".to_owned());
+            if tolerance > 0.0 {
+                words.extend(["--tolerance".to_owned(), format!("{tolerance:e}")]);
+            }
+        }
+        words
+    }
+
+    /// The file and the options that it is read with.
     #[must_use]
     pub fn name(&self) -> String {
-        match self.holes {
-            None => self.file.clone(),
-            Some(holes) => format!("{} --holes {}", self.file, holes.word()),
-        }
+        [vec![self.file.clone()], self.options()].concat().join(" ")
     }
 
     /// What is wrong with the names of the boundaries of a mesh, if anything.
@@ -349,13 +381,24 @@ mod tests {
     #[test]
     fn a_row_of_the_answers_is_understood() {
         let row = "x/a.poly\t4\t4\tyes\t1\t2.5\t90\t0 0 1 1\t0\t0\t";
+        let both = |row: &str| {
+            let [case, mended] = &answer(row)[..] else { panic!("two cases") };
+            assert_eq!((case.repair, mended.repair), (None, Some(0.0)));
+            [case.clone(), mended.clone()]
+        };
         let only = |row: &str| {
-            let [case] = &answer(row)[..] else { panic!("one case") };
-            case.clone()
+            let [case, mended] = both(row);
+            assert_eq!(case.allowed, mended.allowed);
+            case
         };
         let case = only(row);
         assert_eq!((case.file.as_str(), case.allowed), ("x/a.poly", vec![Ending::Meshes]));
-        assert_eq!(only(&row.replace("yes", "6 crossings")).allowed, [Ending::Refused]);
+        let [case, mended] = both(&row.replace("yes", "6 crossings"));
+        assert_eq!(
+            (&case.allowed[..], &mended.allowed[..]),
+            (&[Ending::Refused][..], &[Ending::Meshes][..])
+        );
+        assert!(mended.named.any_line);
         let merged = only(&row.replace("yes", "1 duplicate point; 1 duplicate segment"));
         assert_eq!(merged.allowed, [Ending::MeshesWithWarning]);
         assert_eq!(only(&row.replace("2.5", "0")).allowed, [Ending::Refused]);
@@ -363,9 +406,10 @@ mod tests {
     }
 
     #[test]
-    fn a_file_whose_area_with_other_holes_is_known_is_two_cases() {
+    fn a_file_whose_area_with_other_holes_is_known_is_read_with_both() {
         let row = "x/a.obj\t4\t4\tyes\t1\t2.5\t90\t0 0 1 1\tg3 m1\t0\topen; all faces 4.5; x";
-        let [first, second] = &answer(row)[..] else { panic!("two cases") };
+        let [first, second, mended, _] = &answer(row)[..] else { panic!("four cases") };
+        assert_eq!((&mended.area, &mended.name()[..]), (&first.area, "x/a.obj --repair"));
         assert_eq!((first.holes, first.area), (None, Some((2.5, 2.5e-9))));
         assert_eq!((second.holes, second.area), (Some(Holes::None), Some((4.5, 1e-9 * 4.5))));
         assert_eq!(first.boundaries, Some(3));
@@ -377,10 +421,13 @@ mod tests {
     #[test]
     fn an_expectation_names_its_culprits() {
         let case = serde_json::json!({
-            "about": "", "expect": "repair", "culprits": {"lines": [7, 9], "segments": [1, 3]}
+            "about": "", "expect": "repair", "culprits": {"lines": [7, 9], "segments": [1, 3]},
+            "args": ["--repair", "--tolerance", "1e-8"]
         });
-        let [case] = &expectation("b.poly", &case)[..] else { panic!("one case") };
+        let [case, mended] = &expectation("b.poly", &case)[..] else { panic!("two cases") };
         assert_eq!(case.allowed, [Ending::Refused]);
+        assert_eq!(mended.allowed, [Ending::Meshes]);
+        assert_eq!(mended.name(), "bad/b.poly --repair --tolerance 1e-8");
         let talk =
             "error: segments 1 and 3 cross near (1, 1)\n  bad/b.poly:7: 1 1 2\n  bad/b.poly:9: 3";
         assert_eq!(case.complaints(Ending::Refused, None, talk), Vec::<String>::new());

@@ -5,6 +5,7 @@
 //! - [`families`]: random outlines, each family nasty in one way.
 //! - [`hostile`]: everything at once, clean by construction.
 //! - [`profiles`]: ways of meshing, drawn at random.
+//! - [`tangle`]: outlines that are to be repaired.
 //! - [`sketch`], [`plane`], [`measure`], [`motion`], [`poly`]: what those are made with.
 //! - [`corpus`]: the large collection of outlines, and what is known of each.
 //! - [`survey`]: tables over that collection.
@@ -30,6 +31,7 @@ pub mod run;
 pub mod shrink;
 pub mod sketch;
 pub mod survey;
+pub mod tangle;
 
 pub use families::Family;
 pub use random::Random;

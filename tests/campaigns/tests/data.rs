@@ -82,8 +82,8 @@ struct Ran {
 
 /// Whether a file behaves as it must.
 fn behaves(case: Case, path: PathBuf) -> Result<(), Failed> {
-    let holes = case.holes;
-    let ran = match guarded(move || mesh_file(&path, holes)).ending {
+    let (holes, tolerance) = (case.holes, case.repair);
+    let ran = match guarded(move || mesh_file(&path, holes, tolerance)).ending {
         run::Ending::Done(ran) => ran,
         run::Ending::Panicked(message) => return Err(format!("a panic: {message}").into()),
         run::Ending::Hung => return Err("it does not end".into()),
@@ -97,7 +97,7 @@ fn behaves(case: Case, path: PathBuf) -> Result<(), Failed> {
     Err(format!("{}\nit said:\n{}", complaints.join("\n"), ran.talk).into())
 }
 
-fn mesh_file(path: &Path, holes: Option<Holes>) -> Ran {
+fn mesh_file(path: &Path, holes: Option<Holes>, tolerance: Option<f64>) -> Ran {
     let mut talk = Vec::new();
     let refused = |talk: Vec<String>, faults| Ran {
         ending: Ending::Refused,
@@ -116,19 +116,33 @@ fn mesh_file(path: &Path, holes: Option<Holes>) -> Ran {
             return refused(talk, Vec::new());
         }
     };
+    let mut has_warned = !talk.is_empty();
+    let outline = match tolerance.map(|tolerance| domain::repair(&outline, tolerance)) {
+        None => outline,
+        Some(Ok(repaired)) => {
+            has_warned |= !repaired.warnings.is_empty();
+            talk.extend(repaired.warnings.iter().map(ToString::to_string));
+            talk.push(repaired.report(&outline).to_string());
+            repaired.outline
+        }
+        Some(Err(error)) => {
+            talk.push(error.to_string());
+            return refused(talk, Vec::new());
+        }
+    };
     match meshwright::mesh(&outline, &Parameters::default()) {
         Err(error) => {
             talk.push(error.to_string());
             refused(talk, innocent_culprits(&outline, &error))
         }
         Ok(outcome) => {
-            let warned = !talk.is_empty() || !outcome.warnings.is_empty();
+            has_warned |= !outcome.warnings.is_empty();
             talk.extend(outcome.warnings.iter().map(ToString::to_string));
             let faults = match judge(&outline, &Parameters::default()).verdict {
                 Verdict::Failed(reasons) => reasons,
                 _ => Vec::new(),
             };
-            let ending = if warned { Ending::MeshesWithWarning } else { Ending::Meshes };
+            let ending = if has_warned { Ending::MeshesWithWarning } else { Ending::Meshes };
             let area = Some(area(&outcome.mesh));
             Ran { ending, area, mesh: Some(outcome.mesh), talk: talk.join("\n"), faults }
         }

@@ -12,7 +12,7 @@ use meshwright::formats::msh;
 use meshwright_campaigns::corpus::{self, Case, Ending};
 use meshwright_campaigns::run::in_order;
 
-/// Runs `meshwright mesh` over the large collection of outlines, without --repair.
+/// Runs `meshwright mesh` over the large collection of outlines, without and with --repair.
 ///
 /// Good outlines must mesh with the area of answers.tsv, and `meshwright check` must find nothing;
 /// bad ones must end as bad/expected.json says, with the right line named. Nothing may panic, take
@@ -135,14 +135,10 @@ impl Runner {
     fn run(&self, number: usize, case: &Case) -> io::Result<Row> {
         let input = self.data.join(&case.file);
         let output = self.scratch.join(format!("{number}.msh"));
-        let holes: Vec<&Path> = case
-            .holes
-            .map(|holes| ["--holes", holes.word()].map(Path::new))
-            .into_iter()
-            .flatten()
-            .collect();
+        let options = case.options();
+        let options: Vec<&Path> = options.iter().map(Path::new).collect();
         let mesh = [Path::new("mesh"), &input, Path::new("-o"), &output];
-        let done = self.call(&[&mesh[..], &holes].concat())?;
+        let done = self.call(&[&mesh[..], &options].concat())?;
         let mut complaints = Vec::new();
         let (mut points, mut area) = (None, None);
         let ending = match done.code {
@@ -165,7 +161,7 @@ impl Runner {
                 Err(error) => complaints.push(format!("the output cannot be read: {error}")),
             }
             let check = [Path::new("check"), &output, Path::new("--input"), &input];
-            let check = self.call(&[&check[..], &holes].concat())?;
+            let check = self.call(&[&check[..], &options].concat())?;
             if check.code != Some(0) {
                 complaints.push(format!("check exits {:?}\n{}", check.code, check.talk));
             }
