@@ -72,6 +72,13 @@ pub struct Node {
     end: usize,
 }
 
+impl Node {
+    /// How many items the node holds.
+    fn size(self) -> usize {
+        self.end - self.start
+    }
+}
+
 /// What a node holds.
 pub enum Below {
     /// One item.
@@ -157,6 +164,35 @@ impl Boxes {
             match self.below(node) {
                 Below::Item(item) => visit(item)?,
                 Below::Halves([left, right]) => pending.extend([right, left]),
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Visits each pair of items whose rectangles meet once, until told to stop.
+    pub fn overlapping_pairs<B>(
+        &self,
+        mut visit: impl FnMut([u32; 2]) -> ControlFlow<B>,
+    ) -> ControlFlow<B> {
+        let mut pending: Vec<[Node; 2]> = self.root().into_iter().map(|root| [root; 2]).collect();
+        while let Some([first, second]) = pending.pop() {
+            if first == second {
+                if let Below::Halves([left, right]) = self.below(first) {
+                    pending.extend([[left, right], [right, right], [left, left]]);
+                }
+                continue;
+            }
+            if !self.rectangle(first).overlaps(self.rectangle(second)) {
+                continue;
+            }
+            let (larger, smaller) =
+                if first.size() >= second.size() { (first, second) } else { (second, first) };
+            match (self.below(larger), self.below(smaller)) {
+                (Below::Halves([left, right]), _) => {
+                    pending.extend([[right, smaller], [left, smaller]]);
+                }
+                (Below::Item(item), Below::Item(other)) => visit([item, other])?,
+                (Below::Item(_), Below::Halves(_)) => unreachable!("the larger one has one item"),
             }
         }
         ControlFlow::Continue(())

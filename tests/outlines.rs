@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use meshwright::domain::{ConflictKind, Domain, Error, Warning};
+use meshwright::domain::{ConflictKind, Domain, Error, Warning, repair};
 use meshwright::formats::{node, poly};
 use meshwright::{Pslg, Region};
 
@@ -40,6 +40,8 @@ struct Answer {
     clean: String,
     area: f64,
     smallest_angle: Option<f64>,
+    /// The smallest angle after a repair, to four digits.
+    mended_angle: Option<f64>,
 }
 
 fn answers() -> Vec<Answer> {
@@ -51,6 +53,10 @@ fn answers() -> Vec<Answer> {
             clean: column[3].to_owned(),
             area: column[5].parse().unwrap_or(f64::NAN),
             smallest_angle: column[6].parse().ok(),
+            mended_angle: column.get(10).and_then(|note| {
+                let (_, behind) = note.split_once("theta* ")?;
+                behind.split([';', ' ']).next()?.parse().ok()
+            }),
         }
     };
     let is_read = |answer: &Answer| {
@@ -66,12 +72,26 @@ fn count_of(clean: &str, word: &str) -> usize {
     entry.map_or(0, |entry| entry.split(' ').next().expect("a count").parse().expect("a count"))
 }
 
+/// Mends an outline, and compares with what is known of it then.
+fn is_mended_as_answered(pslg: &Pslg, answer: &Answer) {
+    let file = &answer.file;
+    let mended = repair(pslg, 0.0).unwrap_or_else(|error| panic!("{file}: {error}"));
+    let domain = Domain::new(&mended.outline, Region::Domain);
+    let (domain, _) = domain.unwrap_or_else(|error| panic!("{file}: {error}"));
+    let (area, found) = (answer.area, domain.area());
+    assert!((found - area).abs() <= 1e-9 * area, "{file}: area {found}, not {area}");
+    let angle = domain.smallest_angle().expect("segments adjoin").radians.to_degrees();
+    if let Some(degrees) = answer.mended_angle {
+        assert!((angle - degrees).abs() <= 1e-3 * degrees, "{file}: {angle}°, not {degrees}°");
+    }
+}
+
 #[test]
 #[ignore = "needs MESHWRIGHT_DATA"]
 fn every_outline_is_judged_as_its_answers_say() {
     let mut judged = 0;
     for answer in answers() {
-        let Answer { file, clean, area, smallest_angle } = &answer;
+        let Answer { file, clean, area, smallest_angle, .. } = &answer;
         let pslg = read(&data().join(file));
         let result = Domain::new(&pslg, Region::Domain);
         let conflicts = [
@@ -90,6 +110,7 @@ fn every_outline_is_judged_as_its_answers_say() {
             let touching = found.count(ConflictKind::TJunction);
             assert!(touching <= count_of(clean, "T-junction"), "{file}: {touching} of {clean}");
             assert!(found.all_counted, "{file}");
+            is_mended_as_answered(&pslg, &answer);
         } else if *area == 0.0 {
             assert!(
                 matches!(

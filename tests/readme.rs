@@ -40,8 +40,10 @@ fn folder(name: &str) -> PathBuf {
     for part in ["examples", "docs"] {
         std::fs::create_dir_all(folder.join(part)).expect("a folder can be made");
     }
-    let outline = "examples/lake_superior.poly";
-    std::fs::copy(root().join(outline), folder.join(outline)).expect("the outline can be copied");
+    for outline in ["examples/lake_superior.poly", "examples/site.poly"] {
+        let copied = std::fs::copy(root().join(outline), folder.join(outline));
+        copied.expect("the outline can be copied");
+    }
     folder
 }
 
@@ -78,6 +80,15 @@ fn the_first_run_says_what_the_readme_shows() {
     let done = run(first, &folder("first_run"));
     let said = String::from_utf8_lossy(&done.stderr);
     assert_eq!(words(&said), words(blocks("text")[0]), "{first}\n{said}");
+}
+
+#[test]
+fn what_is_mended_is_said_as_the_readme_shows() {
+    let command = README.lines().find(|line| line.contains("--write-repaired"));
+    let done = run(command.expect("the command is there"), &folder("repaired"));
+    let said = String::from_utf8_lossy(&done.stderr);
+    let shown = blocks("text").into_iter().find(|text| text.starts_with("repaired"));
+    assert!(said.starts_with(shown.expect("the text is there")), "{said}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! segments given twice.
 
 use super::error::{Item, Kind, Warning};
-use super::lexicographic;
+use super::lexicographic_order;
 use crate::Pslg;
 
 /// The distinct points of an outline.
@@ -17,10 +17,7 @@ pub struct Points {
 
 /// Merges points with equal coordinates (−0 equals 0).
 pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -> Points {
-    let mut order: Vec<u32> = (0..scaled.len() as u32).collect();
-    order.sort_unstable_by(|&i, &j| {
-        lexicographic(scaled[i as usize], scaled[j as usize]).then(i.cmp(&j))
-    });
+    let order = lexicographic_order(&scaled);
     // `first[i]`: the first input point with the coordinates of `i`.
     let mut first: Vec<u32> = (0..scaled.len() as u32).collect();
     for pair in order.windows(2) {

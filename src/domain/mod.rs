@@ -270,11 +270,12 @@ fn lexicographic([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> Ordering {
     order(ax, bx).then(order(ay, by))
 }
 
-/// The points' indices, sorted by x, then by y.
+/// The points' indices, sorted by x, then by y, then by index.
 fn lexicographic_order(points: &[[f64; 2]]) -> Vec<u32> {
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    order.sort_unstable_by(|&a, &b| lexicographic(points[a as usize], points[b as usize]));
-    order
+    // Sorted with their places, which are far apart in memory.
+    let mut placed: Vec<([f64; 2], u32)> = points.iter().copied().zip(0..).collect();
+    placed.sort_unstable_by(|&(p, i), &(q, j)| lexicographic(p, q).then(i.cmp(&j)));
+    placed.into_iter().map(|(_, index)| index).collect()
 }
 
 /// A sum whose rounding errors are summed too (Neumaier).

@@ -6,9 +6,13 @@
 //! as there are finitely many doubles, splitting comes to an end whatever is split where.
 
 use std::cmp::Ordering;
+use std::ops::Range;
 
 use super::super::lexicographic;
 use crate::boxes::Rectangle;
+
+/// So few points are looked at one by one.
+const FEW: usize = 6;
 
 /// A segment and the points that split it.
 #[derive(Debug, Clone)]
@@ -45,6 +49,19 @@ impl Chain {
         points: &[[f64; 2]],
         rectangle: &Rectangle,
     ) -> impl Iterator<Item = [u32; 2]> {
+        let range = self.range_in(points, rectangle);
+        let pieces = range.map(|index| [self.point(index), self.point(index + 1)]);
+        pieces.filter(|piece| {
+            let [a, b] = piece.map(|end| points[end as usize]);
+            Rectangle::around(a, b).overlaps(rectangle)
+        })
+    }
+
+    /// The numbers of pieces among which those are whose rectangles meet `rectangle`.
+    fn range_in(&self, points: &[[f64; 2]], rectangle: &Rectangle) -> Range<usize> {
+        if self.inner.len() < FEW {
+            return 0..self.count() - 1;
+        }
         let [a, b] = self.ends.map(|end| points[end as usize]);
         let axis = usize::from((b[1] - a[1]).abs() > (b[0] - a[0]).abs());
         let sign = if b[axis] < a[axis] { -1.0 } else { 1.0 };
@@ -56,11 +73,7 @@ impl Chain {
         let place = |index: usize| sign * points[self.point(index) as usize][axis];
         let first = self.partition(|index| place(index) < from).saturating_sub(1);
         let last = self.partition(|index| place(index) <= to).min(self.count() - 1);
-        let pieces = (first..last).map(|index| [self.point(index), self.point(index + 1)]);
-        pieces.filter(|piece| {
-            let [a, b] = piece.map(|end| points[end as usize]);
-            Rectangle::around(a, b).overlaps(rectangle)
-        })
+        first..last
     }
 
     /// Which of two places comes first on the way along the chain.

@@ -8,7 +8,6 @@ use std::ops::ControlFlow;
 use super::super::conflicts::is_strictly_between;
 use super::super::error::Error;
 use super::super::precision;
-use super::super::sweep::cross;
 use super::chain::Chain;
 use super::draft::{Draft, Strand};
 use super::grid::Grid;
@@ -23,7 +22,7 @@ use crate::vector::Vector;
 const REACH: f64 = 4.0;
 
 /// The search ends after this many pairs of segments with overlapping boxes.
-const MOST_PAIRS: usize = 500_000_000;
+const MOST_PAIRS: usize = 100_000_000;
 
 /// No more than this many meetings are mended.
 const MOST_MEETINGS: usize = 8_000_000;
@@ -33,14 +32,15 @@ const MOST_MEETINGS: usize = 8_000_000;
 /// # Errors
 /// There is more to do than bounded time and memory allow.
 pub fn untangle(draft: &mut Draft) -> Result<(), Error> {
-    if draft.is_clean() {
-        return Ok(());
-    }
     let mut tangle = Tangle::new(draft);
-    let mut changed = tangle.all_pieces();
-    while !changed.is_empty() {
-        let meetings = tangle.meetings_of(&changed)?;
-        changed = tangle.split(meetings);
+    let mut meetings = match tangle.all_meetings() {
+        // A sweep can tell of a clean outline that it is.
+        Err(_) if tangle.draft.is_clean() => return Ok(()),
+        found => found?,
+    };
+    while !meetings.is_empty() {
+        let changed = tangle.split(meetings);
+        meetings = tangle.meetings_of(&changed)?;
     }
     let strands = tangle.strands();
     draft.set_strands(strands);
@@ -75,6 +75,16 @@ struct Meetings {
     crossings: Vec<[Piece; 2]>,
 }
 
+impl Meetings {
+    fn count(&self) -> usize {
+        self.touches.len() + self.crossings.len()
+    }
+
+    fn is_empty(&self) -> bool {
+        self.count() == 0
+    }
+}
+
 /// Segments that may cross.
 struct Tangle<'a, 'b> {
     draft: &'a mut Draft<'b>,
@@ -88,7 +98,6 @@ struct Tangle<'a, 'b> {
     made: Grid,
     /// See [`REACH`].
     reach: f64,
-    is_first_round: bool,
     /// Pairs that were looked at.
     pairs: usize,
     /// Meetings that were mended.
@@ -106,22 +115,7 @@ impl<'a, 'b> Tangle<'a, 'b> {
         let boxes = Boxes::new(&of_chains.chain(of_loose).collect::<Vec<_>>());
         let reach = REACH * precision::ulp(&draft.points, &draft.is_kept);
         let made = Grid::new(reach);
-        Self {
-            draft,
-            chains,
-            loose,
-            boxes,
-            made,
-            reach,
-            is_first_round: true,
-            pairs: 0,
-            meetings: 0,
-        }
-    }
-
-    fn all_pieces(&self) -> Vec<Piece> {
-        let numbered = (0..).zip(&self.chains);
-        numbered.map(|(chain, Chain { ends, .. })| Piece { chain, ends: *ends }).collect()
+        Self { draft, chains, loose, boxes, made, reach, pairs: 0, meetings: 0 }
     }
 
     /// What is left of each segment, piece by piece.
@@ -133,66 +127,101 @@ impl<'a, 'b> Tangle<'a, 'b> {
             .collect()
     }
 
-    /// Where changed pieces meet any others, in a fixed order, each meeting once.
+    /// Where segments meet each other and loose points.
+    fn all_meetings(&mut self) -> Result<Meetings, Error> {
+        let mut found = Meetings::default();
+        let mut pairs = 0;
+        let whole = |chain: u32| Piece { chain, ends: self.chains[chain as usize].ends };
+        let is_loose = |item: u32| item as usize >= self.chains.len();
+        let search = self.boxes.overlapping_pairs(|[first, second]| {
+            let (low, high) = (first.min(second), first.max(second));
+            match (is_loose(low), is_loose(high)) {
+                (false, false) => self.judge_pieces(whole(low), whole(high), &mut found),
+                (false, true) => self.judge_point(high, whole(low), &mut found),
+                (true, _) => {}
+            }
+            pairs += 1;
+            self.within_budget(pairs, &found)
+        });
+        self.finish_search(search, pairs, found)
+    }
+
+    /// Where changed pieces meet any others.
     fn meetings_of(&mut self, changed: &[Piece]) -> Result<Meetings, Error> {
         let mut found = Meetings::default();
         let mut pairs = self.pairs;
-        for &piece in changed {
+        let search = changed.iter().try_for_each(|&piece| {
             let rectangle = around(self.draft, piece.ends);
-            let search = self.boxes.overlapping(&rectangle, |item| {
-                pairs += 1;
-                self.judge(piece, &rectangle, item, &mut found);
-                let meetings = self.meetings + found.touches.len() + found.crossings.len();
-                if pairs > MOST_PAIRS || meetings > MOST_MEETINGS {
-                    return ControlFlow::Break(Error::TooTangled { pairs, meetings });
+            self.boxes.overlapping(&rectangle, |item| {
+                match self.chains.get(item as usize) {
+                    None => self.judge_point(item, piece, &mut found),
+                    // Pieces of one chain have nothing but ends in common.
+                    Some(_) if item == piece.chain => {}
+                    Some(chain) => {
+                        for ends in chain.pieces_in(&self.draft.points, &rectangle) {
+                            self.judge_pieces(piece, Piece { chain: item, ends }, &mut found);
+                        }
+                    }
                 }
-                ControlFlow::Continue(())
-            });
-            if let ControlFlow::Break(error) = search {
-                return Err(error);
-            }
+                pairs += 1;
+                self.within_budget(pairs, &found)
+            })
+        });
+        self.finish_search(search, pairs, found)
+    }
+
+    fn within_budget(&self, pairs: usize, found: &Meetings) -> ControlFlow<Error> {
+        let meetings = self.meetings + found.count();
+        if pairs > MOST_PAIRS || meetings > MOST_MEETINGS {
+            return ControlFlow::Break(Error::TooTangled { pairs, meetings });
         }
-        self.pairs = pairs;
-        self.is_first_round = false;
+        ControlFlow::Continue(())
+    }
+
+    /// What was found, in a fixed order, each meeting once.
+    fn finish_search(
+        &mut self,
+        search: ControlFlow<Error>,
+        pairs: usize,
+        mut found: Meetings,
+    ) -> Result<Meetings, Error> {
+        if let ControlFlow::Break(error) = search {
+            return Err(error);
+        }
         found.touches.sort_unstable();
         found.touches.dedup();
         found.crossings.sort_unstable();
         found.crossings.dedup();
-        self.meetings += found.touches.len() + found.crossings.len();
+        self.pairs = pairs;
+        self.meetings += found.count();
         Ok(found)
     }
 
-    /// Finds out how a piece meets an item of the tree.
-    fn judge(&self, piece: Piece, rectangle: &Rectangle, item: u32, found: &mut Meetings) {
-        let Some(chain) = self.chains.get(item as usize) else {
-            let point = self.loose[item as usize - self.chains.len()];
-            if self.is_inside(point, piece) {
-                let Piece { chain, .. } = piece;
-                found.touches.push(Touch { chain, point, of: u32::MAX, is_overlap: false });
-            }
-            return;
-        };
-        // In the first round every piece asks about every other one. Pieces of one chain have
-        // nothing but ends in common.
-        if item == piece.chain || (self.is_first_round && item < piece.chain) {
-            return;
-        }
-        for ends in chain.pieces_in(&self.draft.points, rectangle) {
-            self.judge_pieces(piece, Piece { chain: item, ends }, found);
+    /// Finds out whether the loose point that is an item of the tree lies inside a piece.
+    fn judge_point(&self, item: u32, piece: Piece, found: &mut Meetings) {
+        let point = self.loose[item as usize - self.chains.len()];
+        if self.is_inside(point, piece) {
+            let Piece { chain, .. } = piece;
+            found.touches.push(Touch { chain, point, of: u32::MAX, is_overlap: false });
         }
     }
 
+    /// Finds out how two pieces meet.
     fn judge_pieces(&self, first: Piece, second: Piece, found: &mut Meetings) {
         let [[a, b], [c, d]] = [first, second].map(|piece| self.places(piece));
-        let sides = [side(a, b, c), side(a, b, d)];
-        if sides == [Side::Left; 2] || sides == [Side::Right; 2] {
+        let of_second = [side(a, b, c), side(a, b, d)];
+        if of_second[0] == of_second[1] && of_second[0] != Side::On {
             return;
         }
-        if cross([a, b], [c, d]) {
+        let of_first = [side(c, d, a), side(c, d, b)];
+        if of_first[0] == of_first[1] && of_first[0] != Side::On {
+            return;
+        }
+        if !of_first.contains(&Side::On) && !of_second.contains(&Side::On) {
             found.crossings.push([first.min(second), first.max(second)]);
             return;
         }
-        let is_overlap = sides == [Side::On; 2];
+        let is_overlap = of_second == [Side::On; 2];
         for (from, onto) in [(first, second), (second, first)] {
             for point in from.ends {
                 if self.is_inside(point, onto) {

@@ -102,16 +102,13 @@ impl<'a> Draft<'a> {
     /// Replaces the segments: drops those of length zero and all but the first of those with the
     /// same ends.
     pub fn set_strands(&mut self, strands: Vec<Strand>) {
-        let undirected = |index: u32| {
-            let [a, b] = strands[index as usize].ends;
-            [a.min(b), a.max(b)]
-        };
-        let mut order: Vec<u32> = (0..strands.len() as u32).collect();
-        order.sort_unstable_by_key(|&index| (undirected(index), index));
+        let undirected = |&Strand { ends: [a, b], .. }: &Strand| [a.min(b), a.max(b)];
+        let mut order: Vec<([u32; 2], u32)> = strands.iter().map(undirected).zip(0..).collect();
+        order.sort_unstable();
         let mut is_first = vec![true; strands.len()];
-        for same in order.chunk_by(|&i, &j| undirected(i) == undirected(j)) {
-            let first = strands[same[0] as usize].input;
-            for &again in &same[1..] {
+        for same in order.chunk_by(|(ends, _), (others, _)| ends == others) {
+            let first = strands[same[0].1 as usize].input;
+            for &(_, again) in &same[1..] {
                 is_first[again as usize] = false;
                 let input = strands[again as usize].input;
                 if input != first {

@@ -3,13 +3,41 @@
 mod support;
 
 use meshwright::certify::{Promise, certify};
-use meshwright::{Excuse, MinAngle, Parameters, Region, Splitting, Steiner};
+use meshwright::{Excuse, MinAngle, Parameters, Pslg, Region, Splitting, Steiner, domain};
 use meshwright_campaigns::families::Family;
 use meshwright_campaigns::hostile::hostile;
 use meshwright_campaigns::judge::{Verdict, judge};
 use meshwright_campaigns::run::{Ending, guarded, in_order};
+use meshwright_campaigns::tangle::Tangle;
 use meshwright_campaigns::{Random, figures, poly};
 use proptest::prelude::*;
+
+/// A tangled outline in a box.
+fn tangled(kind: Tangle, segments: usize, seed: u64) -> Pslg {
+    let mut outline = kind.outline(segments, segments / 3, &mut Random::new(seed));
+    let first = outline.points.len() as u32;
+    outline.points.extend([[-2.0, -2.0], [3.0, -2.0], [3.0, 3.0], [-2.0, 3.0]]);
+    outline.segments.extend((0..4).map(|i| [first + i, first + (i + 1) % 4]));
+    outline.segment_tags.extend([1; 4]);
+    outline
+}
+
+proptest! {
+    #![proptest_config(support::cases(16))]
+
+    #[test]
+    fn what_is_mended_is_meshed_and_keeps_every_promise(
+        kind in prop::sample::select(vec![Tangle::Soup, Tangle::Hatch]),
+        segments in 2_usize..60,
+        seed: u64,
+    ) {
+        let outline = tangled(kind, segments, seed);
+        let mended = domain::repair(&outline, 0.0).expect("it can be mended").outline;
+        if let Verdict::Failed(reasons) = judge(&mended, &Parameters::default()).verdict {
+            panic!("{}\n{}", reasons.join("\n"), poly::text(&outline, ""));
+        }
+    }
+}
 
 /// A random choice of everything that a run may vary and that keeps the promises.
 fn parameters() -> impl Strategy<Value = Parameters> {

@@ -28,6 +28,9 @@ struct Arguments {
     /// The crossings of the soup, about
     #[arg(long, default_value_t = 100_000)]
     crossings: usize,
+    /// Only the outline of this name: soup, hatch, star, fence, stretches
+    #[arg(long)]
+    only: Option<String>,
     /// No repair may take longer, in seconds
     #[arg(long, default_value_t = 10.0)]
     limit: f64,
@@ -40,7 +43,8 @@ fn main() -> ExitCode {
         "{:<10} {:>9} {:>10} {:>9} {:>8} {:>10} {:>10} {:>8}",
         "outline", "segments", "crossings", "overlaps", "touches", "points", "pieces", "seconds"
     );
-    for kind in Tangle::ALL {
+    let is_wanted = |kind: &Tangle| arguments.only.as_ref().is_none_or(|name| name == kind.name());
+    for kind in Tangle::ALL.into_iter().filter(is_wanted) {
         let segments = match kind {
             Tangle::Soup => arguments.segments,
             Tangle::Hatch | Tangle::Star => arguments.segments / 2_000,
