@@ -48,6 +48,7 @@ mod corners;
 pub mod domain;
 mod double_double;
 pub mod draw;
+mod outline_of;
 mod parameters;
 pub mod predicates;
 pub mod refine;
@@ -57,6 +58,7 @@ pub mod statistics;
 pub mod triangulation;
 mod vector;
 
+pub use outline_of::{OutlineOfError, outline_of};
 pub use parameters::{
     Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,
 };

@@ -227,5 +227,5 @@ fn run(
 fn sizing(parameters: &Parameters, domain: &Domain) -> Sizing {
     let max_area = parameters.max_area.map(|a| libm::scalbn(a, -2 * domain.scale_exponent));
     let of_regions: Vec<_> = domain.regions.iter().map(|region| region.max_area).collect();
-    Sizing::new(max_area, &of_regions)
+    Sizing::new(max_area, &of_regions, &domain.local_areas)
 }

@@ -3,9 +3,8 @@
 use crate::carve::faces_of_triangles;
 use crate::domain::{self, Domain, OUTSIDE};
 use crate::formats::Enclosed;
-use crate::predicates::{Side, side};
+use crate::outline_of::centroid;
 use crate::triangulation::initial::{self, triangulate};
-use crate::vector::Vector;
 use crate::{Pslg, Region};
 
 /// Why what is meshed cannot be told by seeds.
@@ -78,14 +77,10 @@ fn interior_points(domain: &Domain) -> Result<Vec<Option<[f64; 2]>>, initial::Er
     let initial = triangulate(domain)?;
     let mut found = vec![(0.0, None); domain.faces.count() as usize];
     for (triangle, face) in initial.triangles.iter().zip(faces_of_triangles(&initial, domain)) {
-        let [a, b, c] = triangle.vertices.map(|v| initial.points[v as usize]);
-        let area = Vector::between(a, b).cross(Vector::between(a, c));
-        let centroid = [0, 1].map(|k| a[k] + ((b[k] - a[k]) + (c[k] - a[k])) / 3.0);
-        let is_inside =
-            [(a, b), (b, c), (c, a)].iter().all(|&(a, b)| side(a, b, centroid) == Side::Left);
+        let (area, seed) = centroid(triangle.vertices.map(|v| initial.points[v as usize]));
         let best = &mut found[face as usize];
-        if area > best.0 && is_inside {
-            *best = (area, Some(centroid));
+        if area > best.0 && seed.is_some() {
+            *best = (area, seed);
         }
     }
     Ok(found.into_iter().map(|(_, point)| point).collect())

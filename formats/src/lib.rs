@@ -5,10 +5,11 @@
 //!
 //! Outlines: [`poly`], [`node`], [`obj`], [`geo`]. Meshes: [`msh`], [`vtu`], [`gltf`] (written only), and Triangle's
 //! files, each of which holds a part: [`node`] and [`ele`], with the edges in [`poly`]; [`edge`]
-//! and [`neigh`] (written only). A reader takes text and a name for its messages; it returns what
+//! and [`neigh`] (written only); [`area`] (read only). A reader takes text and a name for its messages; it returns what
 //! it read and what it passed over ([`Warning`]). A writer takes a [`std::io::Write`] and returns
 //! what became of the tags ([`groups::Note`]).
 
+pub mod area;
 mod attributes;
 mod digits;
 pub mod edge;
@@ -30,4 +31,4 @@ pub mod vtu;
 
 pub use error::{Found, Notice, SyntaxError, Warning};
 pub use mesh::{Data, Mesh, Provenance, Values};
-pub use pslg::{Attribute, Enclosed, Group, Pslg, Region, Source, Tag};
+pub use pslg::{Attribute, Enclosed, Group, LocalArea, Pslg, Region, Source, Tag};

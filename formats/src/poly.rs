@@ -212,7 +212,7 @@ fn region(scanner: &mut Scanner) -> Result<(Region, bool), SyntaxError> {
 }
 
 /// "A negative maximum area" leaves a region without a bound; Triangle ignores 0 as well.
-fn bound(area: Option<f64>) -> Option<f64> {
+pub(crate) fn bound(area: Option<f64>) -> Option<f64> {
     area.filter(|&area| area > 0.0)
 }
 

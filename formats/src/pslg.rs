@@ -31,6 +31,8 @@ pub struct Pslg {
     pub holes: Vec<[f64; 2]>,
     /// Regions, each given by a seed point.
     pub regions: Vec<Region>,
+    /// Largest areas of triangles that hold in a part of the plane only.
+    pub local_areas: Vec<LocalArea>,
     /// Names of boundary and region tags.
     pub groups: Vec<Group>,
     /// Where each item stands in the file, for messages.
@@ -73,6 +75,15 @@ pub struct Region {
     pub attribute: f64,
     /// No triangle of the region may be larger than this area; `None` if the file sets no bound.
     pub max_area: Option<f64>,
+}
+
+/// A bound on the area of the triangles whose centroid lies in a triangle of the plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LocalArea {
+    /// The corners of that triangle, whichever way it turns.
+    pub corners: [[f64; 2]; 3],
+    /// The bound; positive.
+    pub max_area: f64,
 }
 
 /// A name for a tag in one dimension (a physical group, in Gmsh's words).

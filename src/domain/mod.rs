@@ -33,7 +33,7 @@ pub use open_ends::{OpenEnd, OpenEnds};
 pub use precision::PrecisionLimit;
 pub use repair::{Repair, RepairKind, Repaired, Report, repair};
 
-use crate::formats::Enclosed;
+use crate::formats::{Enclosed, LocalArea};
 use crate::vector::Vector;
 use crate::{Pslg, Region};
 use conflicts::Dirty;
@@ -68,6 +68,8 @@ pub struct Domain {
     pub holes: Vec<[f64; 2]>,
     /// The region seeds that count, one for each meshed face that has any, scaled (areas too).
     pub regions: Vec<crate::formats::Region>,
+    /// Bounds on the area of triangles that depend on the place, scaled.
+    pub local_areas: Vec<LocalArea>,
     /// Input coordinates = these coordinates × 2^`scale_exponent`; 0 unless the outline's
     /// largest coordinate has an exponent outside ±100.
     pub scale_exponent: i32,
@@ -188,6 +190,11 @@ impl Domain {
             }
         });
         let regions = regions.collect();
+        let local_areas = pslg.local_areas.iter().map(|area| LocalArea {
+            corners: area.corners.map(scaled),
+            max_area: libm::scalbn(area.max_area, -2 * scale_exponent),
+        });
+        let local_areas = local_areas.collect();
         let ulp = match region {
             // What is not meshed takes part in the refinement.
             Region::Global => precision::ulp(&points, &vec![true; points.len()]),
@@ -204,6 +211,7 @@ impl Domain {
             meshed_points,
             holes,
             regions,
+            local_areas,
             scale_exponent,
             ulp,
             region,

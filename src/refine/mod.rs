@@ -9,7 +9,7 @@
 //! | Algorithm 1 (§9) | `augment` |
 //! | splitting on dyadic ladders (ours) | [`ladder`] |
 //! | points, midpoints, circumcenters, §3 | [`provenance`] |
-//! | any further trigger (ours) | [`sizing`], [`sizes`], [`soft`] |
+//! | any further trigger (ours) | [`sizing`], [`local_areas`], [`sizes`], [`soft`] |
 //! | features one by one, §3 | [`incremental`] |
 //! | the Terminator, for comparison (§1) | [`terminator`] |
 //! | what is done, step by step | [`trace`] |
@@ -22,6 +22,7 @@ pub mod excuse;
 pub mod incremental;
 pub mod interpolation;
 pub mod ladder;
+pub mod local_areas;
 pub mod piece;
 pub mod provenance;
 pub mod quality;
