@@ -10,10 +10,10 @@ use crate::{Mesh, Pslg};
 #[non_exhaustive]
 pub enum OutlineOfError {
     /// An edge with more than two triangles.
-    #[error("triangles {}, {} and {} share an edge: it can have two", .0[0], .0[1], .0[2])]
+    #[error("triangles {}, {} and {} (counted from 0) share an edge: it can have two", .0[0], .0[1], .0[2])]
     ThreeTriangles([u32; 3]),
     /// A part of the mesh without room for a point inside it.
-    #[error("triangle {0} has no area, nor has any that it is joined to")]
+    #[error("triangle {0} (counted from 0) has no area, nor has any that it is joined to")]
     Flat(u32),
     /// Areas for another number of triangles.
     #[error("there are {areas} areas for {triangles} triangles")]

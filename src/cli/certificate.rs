@@ -64,7 +64,8 @@ fn read_options(reading: &Value) -> Option<ReadOptions> {
         Value::Null => None,
         word => Some(words::value(&HOLES, word.as_str()?)?),
     };
-    Some(ReadOptions { holes, faces: reading["faces"].as_bool()? })
+    let (faces, refine) = (reading["faces"].as_bool()?, reading["refine"].as_bool()?);
+    Some(ReadOptions { holes, faces, refine })
 }
 
 /// κ̂ from the degrees that it was written as: rounding must neither lift it above the largest nor

@@ -38,7 +38,7 @@ pub struct Arguments {
     /// Take what the mesh is held to from this file, which `mesh --certificate` wrote.
     #[arg(long, value_name = "FILE.json",
           conflicts_with_all = ["profile", "min_angle", "no_guarantee", "region", "excuse", "holes",
-                                "faces", "scale", "repair", "tolerance"])]
+                                "faces", "refine", "scale", "repair", "tolerance"])]
     certificate: Option<PathBuf>,
     /// Print the verdict as JSON.
     #[arg(long)]

@@ -74,9 +74,12 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         return Ok(say_written(&written, voice));
     }
     let file = arguments.file.as_deref().unwrap_or(Path::new(STDOUT));
-    let mut drawn = input::any(file, arguments.from, arguments.read, voice)?;
+    let of_outlines = arguments.read;
+    // With an outline of its own, the file is a mesh to be drawn as it is.
+    let of_file = if arguments.input.is_some() { ReadOptions::default() } else { of_outlines };
+    let mut drawn = input::any(file, arguments.from, of_file, voice)?;
     let outline = match &arguments.input {
-        Some(path) => Some(input::outline(path, None, arguments.read, voice)?),
+        Some(path) => Some(input::outline(path, None, of_outlines, voice)?),
         None => None,
     };
     if let Some((_, input)) = &outline {

@@ -25,10 +25,12 @@ pub enum Format {
     Edge,
     /// Triangle's neighbours of triangles.
     Neigh,
+    /// Triangle's largest areas of triangles.
+    Area,
 }
 
 impl Format {
-    const ALL: [Self; 10] = [
+    const ALL: [Self; 11] = [
         Self::Msh,
         Self::Vtu,
         Self::Glb,
@@ -39,6 +41,7 @@ impl Format {
         Self::Ele,
         Self::Edge,
         Self::Neigh,
+        Self::Area,
     ];
 
     /// The format of a file with this name, `.gz` at its end aside.
@@ -64,6 +67,7 @@ impl Format {
             Self::Ele => "ele",
             Self::Edge => "edge",
             Self::Neigh => "neigh",
+            Self::Area => "area",
         }
     }
 
@@ -80,6 +84,7 @@ impl Format {
             Self::Ele => "Triangle .ele",
             Self::Edge => "Triangle .edge",
             Self::Neigh => "Triangle .neigh",
+            Self::Area => "Triangle .area",
         }
     }
 
@@ -100,7 +105,12 @@ impl Format {
 
     /// Whether meshes are written to it.
     pub fn meshes_are_written(self) -> bool {
-        !matches!(self, Self::Obj | Self::Geo)
+        !matches!(self, Self::Obj | Self::Geo | Self::Area)
+    }
+
+    /// Whether anything is read from it. A `.area` file stands for the mesh beside it, refined.
+    pub fn is_read(self) -> bool {
+        self.holds_outlines() || self.meshes_are_read() || self == Self::Area
     }
 }
 

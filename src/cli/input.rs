@@ -5,11 +5,12 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use flate2::read::MultiGzDecoder;
-use meshwright::formats::{Mesh, Pslg, Warning, ele, geo, msh, node, obj, poly, vtu};
+use meshwright::formats::{Mesh, Pslg, Warning, area, ele, geo, msh, node, obj, poly, vtu};
 
 use super::failure::{Exit, Failure, reason};
 use super::format::{Format, listed};
 use super::options::ReadOptions;
+use super::refined;
 use super::voice::Voice;
 
 /// What a file holds, and every file that was read for it.
@@ -46,7 +47,8 @@ pub fn outline(
             "{} holds a mesh, where an outline is wanted ({})",
             input.name,
             listed(Format::holds_outlines)
-        ))),
+        ))
+        .with_help("--refine takes a mesh as the outline that it is")),
     }
 }
 
@@ -62,7 +64,7 @@ pub fn any(
     let name = path.display().to_string();
     let mut files = if stdin { Vec::new() } else { vec![path.to_path_buf()] };
     let bytes = if stdin { read_stdin()? } else { read_file(path)? };
-    let companion = |beside: &str| {
+    let mut companion = |beside: &str| {
         if stdin {
             return Err(io::Error::other("stdin has no file beside it"));
         }
@@ -80,28 +82,42 @@ pub fn any(
         Content::Mesh(mesh)
     };
     let content = match format {
-        Format::Poly => outline(poly::read(&bytes, &name, companion).map_err(Failure::input)?),
+        Format::Poly => outline(poly::read(&bytes, &name, &mut companion).map_err(Failure::input)?),
         Format::Node => outline(node::read(&bytes, &name).map_err(Failure::input)?),
         Format::Obj => {
             let faces = obj::Options { faces: options.faces };
             outline(obj::read_with(&bytes, &name, faces).map_err(Failure::input)?)
         }
-        Format::Geo => outline(geo::read(&bytes, &name, companion).map_err(Failure::input)?),
+        Format::Geo => outline(geo::read(&bytes, &name, &mut companion).map_err(Failure::input)?),
         Format::Msh => mesh(msh::read(&bytes, &name).map_err(Failure::input)?),
         Format::Ele => {
-            mesh(ele::read_with_companions(&bytes, &name, companion).map_err(Failure::input)?)
+            mesh(ele::read_with_companions(&bytes, &name, &mut companion).map_err(Failure::input)?)
+        }
+        Format::Area => {
+            let areas = area::read(&bytes, &name).map_err(Failure::input)?;
+            outline(refined::beside_areas(areas, &name, &mut companion)?)
         }
         Format::Vtu => Content::Mesh(vtu::read(&bytes, &name).map_err(Failure::input)?),
         Format::Glb | Format::Edge | Format::Neigh => {
             unreachable!("`format_of` refuses formats that are not read")
         }
     };
+    let content = match content {
+        Content::Mesh(mesh) if options.refine => {
+            let (areas, warnings) = match format {
+                Format::Ele => refined::areas_beside(&name, &mut companion)?,
+                _ => Default::default(),
+            };
+            outline((refined::outline(&mesh, &areas, &name)?, warnings))
+        }
+        content => content,
+    };
     Ok(Input { content, format, name, files })
 }
 
 fn format_of(path: &Path, from: Option<Format>) -> Result<Format, Failure> {
     match from.or_else(|| Format::of(path)) {
-        Some(format) if format.holds_outlines() || format.meshes_are_read() => Ok(format),
+        Some(format) if format.is_read() => Ok(format),
         Some(format) => Err(not_read(&path.display().to_string(), format.extension())),
         None if path == Path::new("-") => {
             let known = listed(|f| f.holds_outlines() || f.meshes_are_read()).replace('.', "");

@@ -171,6 +171,7 @@ fn reading(options: ReadOptions) -> Value {
     json!({
         "holes": options.holes.map(|holes| word(&HOLES, &holes)),
         "faces": options.faces,
+        "refine": options.refine,
     })
 }
 

@@ -164,7 +164,7 @@ impl Arguments {
             }
             Some(format) if format.meshes_are_written() => Ok(format),
             Some(format) => Err(Failure::usage(format!(
-                "{}: {} holds outlines, no meshes",
+                "{}: {} holds no meshes",
                 output.display(),
                 format.name()
             ))
@@ -250,7 +250,7 @@ impl FileContent<'_> {
             Format::Poly => poly::write_with(mesh, self.poly, &mut out),
             Format::Edge => edge::write(mesh, &mut out),
             Format::Neigh => neigh::write(mesh, &mut out),
-            Format::Geo | Format::Obj => {
+            Format::Geo | Format::Obj | Format::Area => {
                 unreachable!("`format` refuses formats that hold no meshes")
             }
         }

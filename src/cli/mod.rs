@@ -14,6 +14,7 @@ mod notes;
 mod options;
 mod output;
 mod progress;
+mod refined;
 mod refining;
 mod repair;
 mod shell;

@@ -88,6 +88,10 @@ pub struct ReadOptions {
     /// Take the outlines of faces too (.obj).
     #[arg(long)]
     pub faces: bool,
+    /// Take a mesh as an outline: its points, boundary and interfaces stay. Beside a .ele file, a
+    /// .area file bounds the area of each triangle.
+    #[arg(long)]
+    pub refine: bool,
 }
 
 impl ReadOptions {
@@ -140,6 +144,10 @@ impl Scale {
         for region in &mut pslg.regions {
             scale(&mut region.seed);
             region.max_area = region.max_area.map(|area| area * factor * factor);
+        }
+        for area in &mut pslg.local_areas {
+            area.corners.iter_mut().for_each(scale);
+            area.max_area *= factor * factor;
         }
     }
 }

@@ -85,12 +85,51 @@ fn outlines_of_faces_are_taken_where_that_is_asked() {
     assert_eq!(area(&bench, "plate.obj --faces"), 1.0);
 }
 
+/// Triangle's files of a mesh of two triangles over the unit square, its third side tagged.
+const NODE: &str = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
+const POLY: &str = "0 2 0 0\n1 1\n1 3 4 7\n0\n";
+const ELE: &str = "2 3 1\n1 1 2 3 5\n2 1 3 4 5\n";
+const AREA: &str = "2\n1 0.01\n2 -1\n";
+
+#[test]
+fn a_mesh_is_refined_to_its_areas_as_an_outline() {
+    let bench = Bench::with("refine", "a.1.ele", ELE);
+    bench.put("a.1.node", NODE);
+    bench.put("a.1.poly", POLY);
+    let ran = bench.run("mesh a.1.ele");
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stderr.contains("--refine takes a mesh as the outline"), "{}", ran.stderr);
+    let triangles = |arguments: &str| {
+        let report = bench.succeeds(&format!("mesh {arguments} --json")).stdout;
+        let report: serde_json::Value = serde_json::from_str(&report).expect("JSON");
+        report["mesh"]["triangles"].as_u64().expect("a count")
+    };
+    assert_eq!(triangles("a.1.ele --refine"), 2);
+    bench.put("a.1.area", AREA);
+    let refined = triangles("a.1.ele --refine -o b.vtu --certificate b.json");
+    assert!((60..200).contains(&refined), "{refined}");
+    assert_eq!(triangles("a.1.area"), refined);
+    bench.succeeds("check b.vtu --input a.1.ele --certificate b.json");
+    bench.succeeds("check b.vtu --input a.1.ele --refine");
+    let info = bench.succeeds("info b.vtu").stdout;
+    assert!(info.contains("boundary 7"), "{info}");
+    let ran = bench.succeeds("convert a.1.ele out.poly --refine");
+    let said = "1 local area bound is not written";
+    assert!(ran.stderr.contains(said), "{}", ran.stderr);
+    bench.put("a.1.area", "3\n1 1\n2 1\n3 1\n");
+    let ran = bench.run("mesh a.1.ele --refine");
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("a.1.ele: there are 3 areas for 2 triangles"), "{}", ran.stderr);
+    bench.put("b.area", AREA);
+    assert_eq!(bench.run("mesh b.area").code, Some(3));
+}
+
 #[test]
 fn formats_that_hold_the_other_thing_are_refused() {
     let bench = Bench::with("refused", "frame.obj", FRAME);
     let ran = bench.run("mesh frame.obj -o mesh.obj");
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
-    assert!(ran.stderr.contains("Wavefront OBJ holds outlines, no meshes"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("Wavefront OBJ holds no meshes"), "{}", ran.stderr);
     let ran = bench.run("convert frame.obj frame.msh");
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert!(ran.stderr.contains("outlines are written to .poly, .obj"), "{}", ran.stderr);

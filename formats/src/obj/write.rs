@@ -163,11 +163,12 @@ fn not_held(outline: &Pslg) -> Vec<Note> {
     let counted = [
         (outline.holes.len(), "hole seed"),
         (outline.regions.len(), "region seed"),
+        (outline.local_areas.len(), "local area bound"),
         (names(2), "region name"),
         (is_marked(&outline.point_markers), "point marker"),
         (outline.point_attributes.len(), "point attribute"),
         (names(0), "point name"),
-        (outline.groups.iter().filter(untagged).count(), "name of untagged segments"),
+        (outline.groups.iter().filter(untagged).count(), "name without a tag"),
     ];
     let counted = counted.into_iter().filter(|&(count, _)| count > 0);
     let mut notes: Vec<Note> = counted.map(|(count, noun)| Note::NotHeld { count, noun }).collect();

@@ -94,6 +94,10 @@ pub fn write_outline(outline: &Pslg, out: &mut impl Write) -> io::Result<Vec<Not
     if !outline.point_sizes.is_empty() {
         notes.push(Note::SizesDropped);
     }
+    if !outline.local_areas.is_empty() {
+        let (count, noun) = (outline.local_areas.len(), "local area bound");
+        notes.push(Note::NotHeld { count, noun });
+    }
     let mut rows = Rows::new(out);
     Columns::of_outline(outline, &mut notes).write(&mut rows)?;
     let tag = |segment| outline.segment_tags.get(segment).copied().unwrap_or(0);

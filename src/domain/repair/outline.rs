@@ -40,6 +40,7 @@ pub fn outline(draft: &Draft, first_new: i64) -> Pslg {
         enclosed: given.enclosed,
         holes: given.holes.clone(),
         regions: given.regions.clone(),
+        local_areas: given.local_areas.clone(),
         groups: given.groups.clone(),
         source: Source {
             point_lines: selected(&given.source.point_lines, &old, std::iter::empty()),

@@ -9,7 +9,7 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use meshwright::formats::{node, obj, poly};
+use meshwright::formats::{area, node, obj, poly};
 use meshwright::{Mesh, Pslg};
 use serde_json::Value;
 
@@ -17,7 +17,7 @@ use serde_json::Value;
 pub const VARIABLE: &str = "MESHWRIGHT_DATA";
 
 /// The ends of the names of the files that are taken.
-pub const READ: [&str; 3] = ["poly", "node", "obj"];
+pub const READ: [&str; 4] = ["poly", "node", "obj", "area"];
 
 /// The collection's folder, if the environment names one.
 #[must_use]
@@ -132,6 +132,7 @@ pub fn read(path: &Path) -> Result<(Pslg, Vec<String>), String> {
     let (outline, warnings) = match READ.into_iter().find(end) {
         Some("node") => node::read(&text, &name),
         Some("obj") => obj::read(&text, &name),
+        Some("area") => area::read(&text, &name).map(|(_, said)| (Pslg::default(), said)),
         _ => poly::read(&text, &name, |node| fs::read(node)),
     }
     .map_err(|error| error.to_string())?;
