@@ -1,8 +1,10 @@
 //! From the refined triangulation to the mesh that is written.
 
+use std::collections::BTreeMap;
+
 use crate::attributes::interpolate;
 use crate::domain::Domain;
-use crate::formats::{Mesh, Pslg, Tag};
+use crate::formats::{Membership, Mesh, Pslg, Tag};
 use crate::refine::Refinement;
 use crate::triangulation::Triangle;
 
@@ -44,6 +46,7 @@ pub fn assemble(
             .map(|edge| domain.input_segments[edge.segment as usize])
             .collect(),
         groups: pslg.groups.clone(),
+        memberships: memberships(&place, &edges, domain_points, domain, pslg),
         point_data: interpolate(
             &pslg.point_attributes,
             initial,
@@ -107,6 +110,43 @@ fn region_tags(refinement: &Refinement, domain: &Domain) -> Vec<Tag> {
     let mut tags: Vec<_> = refinement.mesh.regions.iter().map(|&region| tag(region)).collect();
     tags.resize(refinement.mesh.triangles.len(), 0);
     tags
+}
+
+/// The groups of the outline's points, and the further groups of its segments: of each piece.
+fn memberships(
+    place: &[u32],
+    edges: &[Subsegment],
+    domain_points: &[u32],
+    domain: &Domain,
+    pslg: &Pslg,
+) -> Vec<Membership> {
+    if pslg.memberships.is_empty() {
+        return Vec::new();
+    }
+    let mut vertices = vec![u32::MAX; pslg.points.len()];
+    for (&vertex, &point) in place.iter().zip(domain_points) {
+        vertices[domain.input_points[point as usize] as usize] = vertex;
+    }
+    let mut pieces: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    for (edge, piece) in (0..).zip(edges) {
+        let input = domain.input_segments[piece.segment as usize];
+        pieces.entry(input).or_default().push(edge);
+    }
+    let mut found = Vec::new();
+    for &membership in &pslg.memberships {
+        let Membership { dim, item, .. } = membership;
+        match dim {
+            0 => {
+                let vertex = vertices.get(item as usize).filter(|&&vertex| vertex != u32::MAX);
+                found.extend(vertex.map(|&item| Membership { item, ..membership }));
+            }
+            _ => {
+                let edges = pieces.get(&item).into_iter().flatten();
+                found.extend(edges.map(|&item| Membership { item, ..membership }));
+            }
+        }
+    }
+    found
 }
 
 /// The outline's markers; a point that splits a segment inherits the segment's tag.

@@ -246,6 +246,16 @@ pub enum Notice {
         /// How many are missing.
         count: usize,
     },
+    /// A surface in more than one group.
+    #[error("surface {surface} is in the physical groups {kept} and {dropped}: it keeps {kept}")]
+    SecondGroup {
+        /// The surface.
+        surface: i32,
+        /// The group that it keeps.
+        kept: i32,
+        /// The first of the others.
+        dropped: i32,
+    },
     /// Two surfaces between the same curves.
     #[error("surface {surface} is surface {first} once more; it is left out")]
     SameSurface {

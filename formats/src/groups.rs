@@ -25,12 +25,14 @@ pub struct Rules {
     pub unique: bool,
     /// Names stand between double quotes that nothing escapes: `"` becomes `'`.
     pub quoted: bool,
+    /// The format holds groups of points and any number of groups for an edge.
+    pub memberships: bool,
 }
 
 /// One group of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry {
-    /// 1 for edges, 2 for triangles.
+    /// 0 for points, 1 for edges, 2 for triangles.
     pub dim: u8,
     /// The user's tag; 0 if there is none.
     pub tag: Tag,
@@ -43,10 +45,13 @@ pub struct Entry {
 /// The groups that a file holds for a mesh.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Table {
-    /// The groups: edges before triangles, by tag.
+    /// The groups: points before edges before triangles, by tag.
     pub entries: Vec<Entry>,
     /// The group of each edge, as an index into [`Table::entries`].
     pub edges: Vec<u32>,
+    /// The group of each of [`Mesh::memberships`], as an index into [`Table::entries`]; empty where
+    /// the format does not hold them.
+    pub memberships: Vec<u32>,
     /// Tag and index of each group of triangles, by tag.
     regions: Vec<(Tag, usize)>,
 }
@@ -108,6 +113,11 @@ pub enum Note {
     PointGroup {
         /// The name.
         name: String,
+    },
+    /// Edges in more than one group, of which the file holds one.
+    FurtherGroups {
+        /// How many such memberships there are.
+        count: usize,
     },
     /// Names of groups, of which the file holds the numbers alone.
     NumbersOnly {
@@ -176,6 +186,9 @@ impl Display for Note {
             }
             Self::PointGroup { name } => {
                 write!(f, "the point group `{name}` is not written")
+            }
+            Self::FurtherGroups { count } => {
+                write!(f, "edges keep one group each; {count} further memberships are not written")
             }
             Self::NumbersOnly { dim, names } => {
                 let names: Vec<_> = names.iter().map(|(n, tag)| format!("`{n}` ({tag})")).collect();
@@ -333,15 +346,21 @@ impl Table {
         let names = names(mesh, rules, &mut notes);
         let interfaces = untagged_interfaces(mesh, &names);
         let edge_key = |edge: usize| (1, mesh.edge_tag(edge), interfaces.contains(&edge));
-        let keys = keys(mesh, &names, edge_key);
+        let keys = keys(mesh, &names, rules, edge_key);
         let numbers = numbers(&keys, rules);
         let entries = entries(&keys, &numbers, names);
         let index = |key: Key| keys.binary_search(&key).unwrap_or(0);
         let edges = (0..mesh.edges.len()).map(|edge| index(edge_key(edge)) as u32).collect();
         let regions = entries.iter().enumerate().filter(|(_, e)| e.dim == 2);
         let regions = regions.map(|(i, e)| (e.tag, i)).collect();
+        let held = if rules.memberships { &mesh.memberships[..] } else { &[] };
+        let memberships = held.iter().map(|m| index((m.dim, m.tag, false)) as u32).collect();
+        let further = mesh.memberships.iter().filter(|m| m.dim == 1).count();
+        if !rules.memberships && further > 0 {
+            notes.push(Note::FurtherGroups { count: further });
+        }
         tell(&entries, &mut notes);
-        (Self { entries, edges, regions }, notes)
+        (Self { entries, edges, memberships, regions }, notes)
     }
 
     /// The group of the triangles with this tag, as an index into [`Table::entries`].
@@ -365,7 +384,8 @@ pub(crate) fn numbers_only(groups: &[Group], dim: u8) -> Option<Note> {
 fn names(mesh: &Mesh, rules: Rules, notes: &mut Vec<Note>) -> BTreeMap<(u8, Tag), String> {
     let mut names = BTreeMap::new();
     for Group { dim, tag, name } in &mesh.groups {
-        if !matches!(dim, 1 | 2) {
+        let is_held = matches!(dim, 1 | 2) || (rules.memberships && *dim == 0);
+        if !is_held {
             notes.push(Note::PointGroup { name: name.clone() });
             continue;
         }
@@ -439,11 +459,15 @@ fn untagged_interfaces(mesh: &Mesh, names: &BTreeMap<(u8, Tag), String>) -> BTre
 fn keys(
     mesh: &Mesh,
     names: &BTreeMap<(u8, Tag), String>,
+    rules: Rules,
     edge_key: impl Fn(usize) -> Key,
 ) -> Vec<Key> {
     let named = names.keys().filter(|&&(_, tag)| tag != 0);
     let mut keys: BTreeSet<Key> = named.map(|&(dim, tag)| (dim, tag, false)).collect();
     keys.extend((0..mesh.edges.len()).map(edge_key));
+    if rules.memberships {
+        keys.extend(mesh.memberships.iter().map(|m| (m.dim, m.tag, false)));
+    }
     let mut last = None;
     for triangle in 0..mesh.triangles.len() {
         let tag = mesh.triangle_tag(triangle);

@@ -31,4 +31,4 @@ pub mod vtu;
 
 pub use error::{Found, Notice, SyntaxError, Warning};
 pub use mesh::{Data, Mesh, Provenance, Values};
-pub use pslg::{Attribute, Enclosed, Group, LocalArea, Pslg, Region, Source, Tag};
+pub use pslg::{Attribute, Enclosed, Group, LocalArea, Membership, Pslg, Region, Source, Tag};

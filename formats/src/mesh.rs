@@ -1,6 +1,6 @@
 //! The triangle mesh that a solver reads.
 
-use crate::pslg::{Group, Tag};
+use crate::pslg::{Group, Membership, Tag};
 
 /// A triangle mesh with boundary and region tags.
 ///
@@ -29,6 +29,8 @@ pub struct Mesh {
     pub edge_segments: Vec<u32>,
     /// Names of boundary and region tags.
     pub groups: Vec<Group>,
+    /// Groups of single points, and further groups of edges that are in more than one.
+    pub memberships: Vec<Membership>,
     /// Named data, one tuple per point.
     pub point_data: Vec<Data>,
     /// Named data, one tuple per triangle.

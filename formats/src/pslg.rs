@@ -35,6 +35,8 @@ pub struct Pslg {
     pub local_areas: Vec<LocalArea>,
     /// Names of boundary and region tags.
     pub groups: Vec<Group>,
+    /// Groups of single points, and further groups of segments that are in more than one.
+    pub memberships: Vec<Membership>,
     /// Where each item stands in the file, for messages.
     pub source: Source,
 }
@@ -84,6 +86,18 @@ pub struct LocalArea {
     pub corners: [[f64; 2]; 3],
     /// The bound; positive.
     pub max_area: f64,
+}
+
+/// A group that a point is in, or that a segment (in a mesh: an edge) is in besides the one of its
+/// tag.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Membership {
+    /// 0 for a point, 1 for a segment or an edge.
+    pub dim: u8,
+    /// The (zero-based) index of the point, the segment or the edge.
+    pub item: u32,
+    /// The number of the group.
+    pub tag: Tag,
 }
 
 /// A name for a tag in one dimension (a physical group, in Gmsh's words).

@@ -4,12 +4,26 @@ mod common;
 
 use std::io;
 
+use meshwright_formats::geo;
 use meshwright_formats::{Mesh, Pslg, SyntaxError, ele, msh, node, poly, vtu};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
 const POLY: &str = "4 2 1 1\n1 0 0 .5 3\n2 1 0 .5 3\n3 1 1 0 -3\n4 0 1 0 0\n4 1\n1 1 2 7\n\
                     2 2 3 7\n3 3 4 8\n4 4 1 0\n1\n1 .5 .5\n2\n1 .1 .1 3 .5\n2 .9 .9 4.5 -1\n";
+
+/// A script with something of everything.
+const GEO: &str = "DefineConstant[ h = {0.2, Min 0, Name \"h\"} ]; r = 1; l[] = {1:4}; n = \"rim\";\n\
+    Macro Corner\n Point(newp) = {x, y, 0, h};\nReturn\n\
+    For i In {0:3}\n x = Cos(i*Pi/2); y = Sin(i*Pi/2); Call Corner;\nEndFor\n\
+    Point(9) = {0, 0, 0, h}; Circle(1) = {1, 9, 2}; Circle(2) = {2, 9, 3}; Spline(3) = {3, 4};\n\
+    If (#l[] > 3)\n Line(4) = {4, 1};\nElse\n BSpline(4) = {4, 1};\nEndIf\n\
+    Curve Loop(1) = {l[]}; Plane Surface(1) = {1}; Point{9} In Surface{1};\n\
+    s[] = Translate {3, 0, 0} { Duplicata { Surface{1}; } };\n\
+    e[] = Extrude {0, 2, 0} { Curve{4}; Layers{3}; Recombine; }; Coherence;\n\
+    Transfinite Curve {-1, 2} = 5 Using Progression 1.2; MeshSize {:} = h/2;\n\
+    Physical Curve(StrCat(n, Sprintf(\"_%g\", 1)), 7) = {1, -2}; Physical Surface(8) += {1, s[0]};\n\
+    Recombine Surface {1}; Color Red { Surface{1}; } Delete { Surface{e[1]}; }\n";
 
 fn no_companion(_: &str) -> io::Result<Vec<u8>> {
     Err(io::ErrorKind::NotFound.into())
@@ -28,12 +42,22 @@ fn read_all(bytes: &[u8]) {
     check(poly::read(bytes, "any", no_companion).err());
     check(poly::read(bytes, "any", |_| Ok(bytes.to_vec())).err());
     check(node::read(bytes, "any").err());
+    read_script(bytes);
     check(msh::read(bytes, "any").err());
     let outline = Pslg { points: vec![[0.0; 2]; 5], ..Pslg::default() };
     check(ele::read(bytes, "any", &outline).err());
     check(ele::read_with_companions(bytes, "any", |_| Ok(bytes.to_vec())).err());
     check(ele::read_with_companions(bytes, "any", no_companion).err());
     let _ = vtu::read(bytes, "any");
+}
+
+/// Reads a script, which may include itself, and checks that errors point into the text.
+fn read_script(bytes: &[u8]) {
+    if let Err(error) = geo::read(bytes, "any", |_| Ok(bytes.to_vec())) {
+        assert!(error.line >= 1, "{error}");
+        assert!(error.column as usize <= error.text.chars().count() + 1, "{error}");
+        assert!(error.to_string().len() < 2000);
+    }
 }
 
 fn msh_of(mesh: &Mesh) -> Vec<u8> {
@@ -75,6 +99,12 @@ fn edit() -> impl Strategy<Value = Edit> {
         "nan",
         "99999999999999999999",
         "$Nodes\n",
+        "{",
+        "};",
+        "(",
+        "9*",
+        "[]",
+        "-1:",
         "/>",
     ]);
     let put = prop_oneof![words.prop_map(|w| w.as_bytes().to_vec()), vec(any::<u8>(), 0..9)];
@@ -94,6 +124,12 @@ fn edited(mut bytes: Vec<u8>, edits: &[Edit]) -> Vec<u8> {
     bytes
 }
 
+#[test]
+fn the_script_is_good_before_it_is_edited() {
+    let (pslg, warnings) = geo::read(GEO.as_bytes(), "any", no_companion).expect("it is good");
+    assert_eq!((pslg.regions.len(), warnings.len()), (2, 1));
+}
+
 proptest! {
     #[test]
     fn any_bytes_are_read_or_refused(bytes in vec(any::<u8>(), 0..200)) {
@@ -108,6 +144,16 @@ proptest! {
     #[test]
     fn edited_poly_files_are_read_or_refused(edits in vec(edit(), 1..4)) {
         read_all(&edited(POLY.into(), &edits));
+    }
+
+    #[test]
+    fn edited_scripts_are_read_or_refused(edits in vec(edit(), 1..4)) {
+        read_script(&edited(GEO.into(), &edits));
+    }
+
+    #[test]
+    fn truncated_scripts_are_read_or_refused(cut: prop::sample::Index) {
+        read_script(&GEO.as_bytes()[..cut.index(GEO.len())]);
     }
 
     #[test]

@@ -16,8 +16,8 @@ fn square(triangle_tags: [Tag; 2], edge_tags: [Tag; 5], groups: &[(u8, Tag, &str
     }
 }
 
-const POSITIVE: Rules = Rules { positive: true, unique: false, quoted: true };
-const UNIQUE: Rules = Rules { positive: true, unique: true, quoted: true };
+const POSITIVE: Rules = Rules { positive: true, unique: false, quoted: true, memberships: false };
+const UNIQUE: Rules = Rules { positive: true, unique: true, quoted: true, memberships: false };
 
 fn written(mesh: &Mesh, rules: Rules) -> Vec<(u8, Tag, String)> {
     let (table, _) = Table::new(mesh, rules);

@@ -19,14 +19,15 @@
 use crate::error::{Notice, SyntaxError, Warning};
 use crate::mesh::Mesh;
 use crate::node::{MOST, reserved};
-use crate::pslg::{Group, Tag};
+use crate::pslg::{Group, Membership, Tag};
 use crate::text::{Scanner, parse_integer};
 
 /// Reads the text of a `.msh` file of version 2, written by any program.
 ///
 /// `file` is the name that messages use. Physical numbers become tags, as they stand in the file;
-/// triangles keep their orientation; those of points become markers. Nodes may be numbered in any
-/// way, and lie in one plane z = constant.
+/// triangles keep their orientation. A point in a group, and an edge that is there once more for a
+/// second group, become [memberships](crate::Membership). Nodes may be numbered in any way, and lie
+/// in one plane z = constant.
 ///
 /// # Errors
 /// The first word that cannot be read.
@@ -60,7 +61,38 @@ pub fn read(text: &[u8], file: &str) -> Result<(Mesh, Vec<Warning>), SyntaxError
     if !reader.has_elements {
         return Err(scanner.missing("section $Elements"));
     }
+    fold_repeated_edges(&mut reader.mesh);
     Ok((reader.mesh, reader.warnings))
+}
+
+/// Leaves each edge once: where it is there again with another number, that is a further group.
+fn fold_repeated_edges(mesh: &mut Mesh) {
+    let ends = |edge: &u32| {
+        let [a, b] = mesh.edges[*edge as usize];
+        [a.min(b), a.max(b)]
+    };
+    let mut order: Vec<u32> = (0..mesh.edges.len() as u32).collect();
+    order.sort_unstable_by_key(|edge| (ends(edge), *edge));
+    let mut repeated = Vec::new();
+    for same in order.chunk_by(|a, b| ends(a) == ends(b)) {
+        repeated.extend(same[1..].iter().map(|&again| (again, same[0])));
+    }
+    if repeated.is_empty() {
+        return;
+    }
+    repeated.sort_unstable();
+    for &(again, first) in &repeated {
+        let tag = mesh.edge_tags[again as usize];
+        if tag != mesh.edge_tags[first as usize] {
+            // What lies before it among the edges that go moves it down.
+            let item = first - repeated.partition_point(|&(edge, _)| edge < first) as u32;
+            mesh.memberships.push(Membership { dim: 1, item, tag });
+        }
+    }
+    let goes = |edge: usize| repeated.binary_search_by_key(&(edge as u32), |&(e, _)| e).is_ok();
+    let kept: Vec<usize> = (0..mesh.edges.len()).filter(|&edge| !goes(edge)).collect();
+    mesh.edges = kept.iter().map(|&edge| mesh.edges[edge]).collect();
+    mesh.edge_tags = kept.iter().map(|&edge| mesh.edge_tags[edge]).collect();
 }
 
 #[derive(Default)]
@@ -183,10 +215,9 @@ impl Reader {
             }
             b"15" => {
                 let tag = physical(scanner)?;
-                let point = self.node(scanner)? as usize;
+                let point = self.node(scanner)?;
                 if tag != 0 {
-                    self.mesh.point_markers.resize(self.mesh.points.len(), 0);
-                    self.mesh.point_markers[point] = tag;
+                    self.mesh.memberships.push(Membership { dim: 0, item: point, tag });
                 }
             }
             _ => {

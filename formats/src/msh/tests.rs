@@ -3,7 +3,7 @@
 use super::read;
 use crate::error::Warning;
 use crate::mesh::Mesh;
-use crate::pslg::Group;
+use crate::pslg::{Group, Membership};
 
 const HEAD: &str = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
 const NODES: &str = "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n";
@@ -45,10 +45,36 @@ fn names_may_hold_spaces() {
 }
 
 #[test]
-fn points_with_a_number_become_markers() {
+fn points_with_a_number_are_in_a_group() {
     let (mesh, _) = good(&elements("1 15 2 9 1 2\n2 15 2 0 1 3\n3 2 0 1 2 3\n"));
-    assert_eq!(mesh.point_markers, [0, 9, 0]);
+    assert_eq!(mesh.memberships, [Membership { dim: 0, item: 1, tag: 9 }]);
     assert_eq!(mesh.triangle_tags, [0]);
+}
+
+#[test]
+fn an_edge_that_is_there_again_is_in_a_further_group() {
+    let lines = "1 1 2 5 1 1 2\n2 1 2 6 1 2 1\n3 1 2 7 1 2 3\n4 1 2 7 1 2 3\n5 1 2 8 1 3 1\n\
+                 6 1 2 9 1 3 1\n7 2 2 4 1 1 2 3\n";
+    let (mesh, _) = good(&elements(lines));
+    assert_eq!(mesh.edges, [[0, 1], [1, 2], [2, 0]]);
+    assert_eq!(mesh.edge_tags, [5, 7, 8]);
+    let further = |item, tag| Membership { dim: 1, item, tag };
+    assert_eq!(mesh.memberships, [further(0, 6), further(2, 9)]);
+}
+
+#[test]
+fn memberships_are_written_as_elements_and_read_back() {
+    let (mut mesh, _) = good(&elements("1 1 2 5 1 1 2\n2 2 2 4 1 1 2 3\n"));
+    let group = |dim, tag, name: &str| Group { dim, tag, name: name.into() };
+    mesh.groups = vec![group(0, 3, "corner"), group(1, 5, "wall")];
+    mesh.memberships =
+        vec![Membership { dim: 0, item: 2, tag: 3 }, Membership { dim: 1, item: 0, tag: 8 }];
+    let mut text = Vec::new();
+    crate::msh::write(&mesh, &mut text).unwrap();
+    let (again, _) = good(std::str::from_utf8(&text).unwrap());
+    assert_eq!(again.memberships, mesh.memberships);
+    let names = [(0, 3, "corner"), (1, 5, "wall"), (1, 8, "boundary_8"), (2, 4, "region_4")];
+    assert_eq!(again.groups, names.map(|(dim, tag, name)| group(dim, tag, name)));
 }
 
 #[test]

@@ -52,7 +52,8 @@ pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
 /// # Errors
 /// Those of `out`.
 pub fn write_with(mesh: &Mesh, options: Options, out: &mut impl Write) -> io::Result<Vec<Note>> {
-    let rules = Rules { positive: true, unique: options.unique_ids, quoted: true };
+    let rules =
+        Rules { positive: true, unique: options.unique_ids, quoted: true, memberships: true };
     let (table, notes) = Table::new(mesh, rules);
     let mut rows = Rows::new(out);
     header(&mut rows, &table)?;
@@ -91,12 +92,25 @@ fn nodes(rows: &mut Rows<impl Write>, mesh: &Mesh) -> io::Result<()> {
 
 fn elements(rows: &mut Rows<impl Write>, mesh: &Mesh, table: &Table) -> io::Result<()> {
     rows.text("$Elements\n")?;
-    rows.integers(&[mesh.edges.len() as i64 + mesh.triangles.len() as i64])?;
+    let count = mesh.memberships.len() + mesh.edges.len() + mesh.triangles.len();
+    rows.integers(&[count as i64])?;
     let mut number = 0;
     for (&[a, b], &group) in mesh.edges.iter().zip(&table.edges) {
         number += 1;
         let group = i64::from(table.entries[group as usize].number);
         rows.integers(&[number, 1, 2, group, group, one_based(a), one_based(b)])?;
+    }
+    // As Gmsh writes them: an element for each group that a point or an edge is in.
+    for (membership, &group) in mesh.memberships.iter().zip(&table.memberships) {
+        number += 1;
+        let group = i64::from(table.entries[group as usize].number);
+        match membership.dim {
+            0 => rows.integers(&[number, 15, 2, group, group, one_based(membership.item)])?,
+            _ => {
+                let [a, b] = mesh.edges[membership.item as usize].map(one_based);
+                rows.integers(&[number, 1, 2, group, group, a, b])?;
+            }
+        }
     }
     for (triangle, &[a, b, c]) in mesh.triangles.iter().enumerate() {
         number += 1;

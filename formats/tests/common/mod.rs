@@ -1,5 +1,7 @@
 //! Random meshes: any arrays that are consistent, whatever their geometry.
 
+use std::collections::BTreeSet;
+
 use meshwright_formats::{Data, Group, Mesh, Provenance, Tag, Values, groups};
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
@@ -76,10 +78,14 @@ fn triangles(points: u32) -> impl Strategy<Value = Triangles> {
 }
 
 fn edges(points: u32) -> impl Strategy<Value = Edges> {
-    (1_usize..8).prop_flat_map(move |count| {
+    let end = move || 0..points;
+    vec([end(), end()], 1..8).prop_flat_map(|mut edges| {
+        // An edge that is there again is a membership.
+        let mut known = BTreeSet::new();
+        edges.retain(|[a, b]| known.insert([*a.min(b), *a.max(b)]));
+        let count = edges.len();
         let segment = prop_oneof![0_u32..9, Just(u32::MAX)];
-        let end = move || 0..points;
-        (vec([end(), end()], count), vec(tag(), count), all_or_none(segment, count))
+        (Just(edges), vec(tag(), count), all_or_none(segment, count))
     })
 }
 

@@ -1,6 +1,6 @@
 //! Physical groups.
 
-use meshwright_formats::Group;
+use meshwright_formats::{Group, Membership};
 
 use super::{SQUARE, error, read, warned};
 
@@ -17,7 +17,7 @@ fn groups_have_numbers_and_names() {
     assert_eq!(pslg.segment_tags, [7, 8, 7, 0]);
     assert_eq!(pslg.regions[0].tag, 7);
     assert_eq!(pslg.groups, [group(0, 3, "corner"), group(1, 7, "rim"), group(2, 7, "plate")]);
-    assert_eq!(pslg.point_markers, [0, 3, 0, 0]);
+    assert_eq!(pslg.memberships, [Membership { dim: 0, item: 1, tag: 3 }]);
 }
 
 #[test]
@@ -28,6 +28,25 @@ fn a_name_alone_gets_the_next_number_of_all_groups() {
     ));
     assert_eq!(pslg.groups, [group(1, 5, "a"), group(1, 7, "c"), group(2, 6, "b")]);
     assert_eq!(pslg.segment_tags, [5, 7, 7, 0]);
+}
+
+#[test]
+fn a_curve_may_be_in_several_groups() {
+    let pslg = read(&format!(
+        "{SQUARE}Physical Curve(9) = {{1, 2}};\nPhysical Curve(4) = {{2, 3}};\n\
+         Physical Curve(6) = {{2}};"
+    ));
+    assert_eq!(pslg.segment_tags, [9, 4, 4, 0]);
+    let further = |tag| Membership { dim: 1, item: 1, tag };
+    assert_eq!(pslg.memberships, [further(6), further(9)]);
+}
+
+#[test]
+fn a_surface_keeps_one_group() {
+    let script = format!("{SQUARE}Physical Surface(2) = {{1}};\nPhysical Surface(5) = {{1}};");
+    let (pslg, warnings) = warned(&script);
+    assert_eq!(pslg.regions[0].tag, 2);
+    assert_eq!(warnings, ["part.geo:12: surface 1 is in the physical groups 2 and 5: it keeps 2"]);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use crate::Pslg;
-use crate::formats::{Attribute, Source};
+use crate::formats::{Attribute, Membership, Source};
 use crate::vector::Vector;
 
 /// The draft as an outline. What was there keeps its order and its numbers: pieces those of their
@@ -42,6 +42,7 @@ pub fn outline(draft: &Draft, first_new: i64) -> Pslg {
         regions: given.regions.clone(),
         local_areas: given.local_areas.clone(),
         groups: given.groups.clone(),
+        memberships: memberships(draft, &index),
         source: Source {
             point_lines: selected(&given.source.point_lines, &old, std::iter::empty()),
             segment_lines: pieces()
@@ -56,6 +57,28 @@ pub fn outline(draft: &Draft, first_new: i64) -> Pslg {
             ..given.source.clone()
         },
     }
+}
+
+/// The memberships of what is left: of points that are kept, of all pieces of segments.
+///
+/// `index` gives the new index of each point, `u32::MAX` for one that is gone.
+fn memberships(draft: &Draft, index: &[u32]) -> Vec<Membership> {
+    let given = &draft.outline.memberships;
+    let mut found = Vec::new();
+    for &membership in given {
+        let Membership { dim, item, .. } = membership;
+        let mut keep = |item: u32| found.push(Membership { item, ..membership });
+        if dim == 0 {
+            if let Some(&new) = index.get(item as usize).filter(|&&new| new != u32::MAX) {
+                keep(new);
+            }
+            continue;
+        }
+        for (piece, _) in (0..).zip(&draft.strands).filter(|(_, strand)| strand.input == item) {
+            keep(piece);
+        }
+    }
+    found
 }
 
 /// The values of the old points, then those of the new ones; none where there were none.

@@ -1,15 +1,17 @@
 //! The large collection of outlines that `MESHWRIGHT_DATA` names, and what is known of each.
 //!
 //! `answers.tsv` holds the answers for good files, `bad/expected.json` those for nasty ones; both
-//! were made without any mesher. Files of the formats in [`READ`] are taken, compressed ones too,
-//! each with and without a repair; some a second time, with other holes.
+//! were made without any mesher. `geo/expected.json` holds those for real `.geo` scripts. Files of
+//! the formats in [`READ`] are taken, compressed ones too, each with and without a repair; some a
+//! second time, with other holes.
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use meshwright::formats::{area, node, obj, poly};
+use meshwright::formats::groups::stated_tag;
+use meshwright::formats::{Tag, area, geo, node, obj, poly};
 use meshwright::{Mesh, Pslg};
 use serde_json::Value;
 
@@ -17,7 +19,7 @@ use serde_json::Value;
 pub const VARIABLE: &str = "MESHWRIGHT_DATA";
 
 /// The ends of the names of the files that are taken.
-pub const READ: [&str; 4] = ["poly", "node", "obj", "area"];
+pub const READ: [&str; 5] = ["poly", "node", "obj", "area", "geo"];
 
 /// The collection's folder, if the environment names one.
 #[must_use]
@@ -42,6 +44,8 @@ pub struct Case {
     pub boundaries: Option<usize>,
     /// Names that boundaries of the mesh must have.
     pub names: Vec<String>,
+    /// The groups that the mesh must have: dimension, number, name (empty for none).
+    pub groups: Vec<(u8, Tag, String)>,
     /// What a warning or an error must name.
     pub named: Named,
 }
@@ -103,6 +107,10 @@ pub fn cases(folder: &Path) -> io::Result<Vec<Case>> {
     cases.extend(
         nasty.filter(|(name, _)| is_read(name)).flat_map(|(name, case)| expectation(name, case)),
     );
+    let scripts = fs::read_to_string(folder.join("geo/expected.json"))?;
+    let scripts: Value = serde_json::from_str(&scripts)?;
+    let scripts = scripts.as_object().into_iter().flatten();
+    cases.extend(scripts.map(|(name, case)| script(name, case)));
     cases.sort_by(|a, b| a.file.cmp(&b.file));
     Ok(cases)
 }
@@ -129,13 +137,16 @@ pub fn read(path: &Path) -> Result<(Pslg, Vec<String>), String> {
     let name = path.display().to_string();
     let text = uncompressed(fs::read(path).map_err(|error| format!("{name}: {error}"))?)?;
     let end = |end: &&str| name.trim_end_matches(".gz").ends_with(&format!(".{end}"));
+    let told = |error: &dyn std::fmt::Display| error.to_string();
     let (outline, warnings) = match READ.into_iter().find(end) {
-        Some("node") => node::read(&text, &name),
-        Some("obj") => obj::read(&text, &name),
-        Some("area") => area::read(&text, &name).map(|(_, said)| (Pslg::default(), said)),
-        _ => poly::read(&text, &name, |node| fs::read(node)),
-    }
-    .map_err(|error| error.to_string())?;
+        Some("node") => node::read(&text, &name).map_err(|error| told(&error)),
+        Some("obj") => obj::read(&text, &name).map_err(|error| told(&error)),
+        Some("area") => area::read(&text, &name)
+            .map(|(_, said)| (Pslg::default(), said))
+            .map_err(|error| told(&error)),
+        Some("geo") => geo::read(&text, &name, |file| fs::read(file)).map_err(|error| told(&error)),
+        _ => poly::read(&text, &name, |node| fs::read(node)).map_err(|error| told(&error)),
+    }?;
     Ok((outline, warnings.iter().map(ToString::to_string).collect()))
 }
 
@@ -147,6 +158,55 @@ fn uncompressed(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
     let mut reader = flate2::read::MultiGzDecoder::new(&bytes[..]);
     reader.read_to_end(&mut text).map_err(|error| error.to_string())?;
     Ok(text)
+}
+
+/// Scripts of `geo/` that use boolean operations, which are refused by name and line.
+const WITH_BOOLEANS: [&str; 5] = [
+    "TEAR-ERC_tandem__elasticity_2d_circular_hole.geo",
+    "TEAR-ERC_tandem__tandem_2d_tutorial.geo",
+    "christian-pedersen_fog_nets__mesh_mesh.geo",
+    "feelpp_feelpp__cases_rht_fin.geo",
+    "sfepy_sfepy__meshes_2d_helmholtz_apartment.geo",
+];
+
+/// A script of `geo/` whose circle of arcs turns back: two arcs of a half and two of a quarter.
+const TURNING_BACK: &str = "hudson-br_ellipsoidal-void__domain.geo";
+
+/// A script of `geo/` with one surface twice, which its answer counts twice; and its area.
+const TWICE: (&str, f64) = ("AliKarakus_camwa__meshes_fence2d_pml_use_v2.geo", 49.95);
+
+/// An entry of `geo/expected.json`. Curves may be cut to chords: areas are within 1 %.
+fn script(name: &str, case: &Value) -> Case {
+    let is_refused = WITH_BOOLEANS.contains(&name) || name == TURNING_BACK;
+    let area = if name == TWICE.0 { Some(TWICE.1) } else { case["area"].as_f64() };
+    Case {
+        file: format!("geo/{name}"),
+        holes: None,
+        repair: None,
+        allowed: vec![if is_refused { Ending::Refused } else { Ending::Meshes }],
+        area: area.map(|area| (area, 0.01 * area)),
+        boundaries: None,
+        names: Vec::new(),
+        groups: groups(case["physical"].as_array().into_iter().flatten()),
+        named: Named { any_line: is_refused, ..Named::default() },
+    }
+}
+
+/// Groups, given as objects or as lists of dimension, number and name.
+fn groups<'a>(listed: impl Iterator<Item = &'a Value>) -> Vec<(u8, Tag, String)> {
+    let group = |group: &Value| {
+        let [dim, tag, name] = match group {
+            Value::Array(parts) => [0, 1, 2].map(|i| parts.get(i).unwrap_or(&Value::Null)),
+            object => ["dim", "tag", "name"].map(|key| &object[key]),
+        };
+        let name = name.as_str().unwrap_or_default().to_owned();
+        Some((dim.as_u64()? as u8, dim_tag(tag)?, name))
+    };
+    listed.filter_map(group).collect()
+}
+
+fn dim_tag(tag: &Value) -> Option<Tag> {
+    Tag::try_from(tag.as_i64()?).ok()
 }
 
 /// Whether outlines are read from files of this name.
@@ -186,6 +246,7 @@ fn answer(row: &str) -> Vec<Case> {
         area: area.map(|area| (area, 1e-9 * area)),
         boundaries,
         names: Vec::new(),
+        groups: Vec::new(),
         named,
     };
     let other = if is_obj {
@@ -274,6 +335,11 @@ fn expectation(name: &str, case: &Value) -> Vec<Case> {
         area: area.map(|area| (area, tolerance.unwrap_or(1e-6 * area))),
         boundaries: None,
         names: names.map(str::to_owned).collect(),
+        groups: if name.ends_with(".geo") {
+            groups(result["groups"].as_array().into_iter().flatten())
+        } else {
+            Vec::new()
+        },
         named: Named { places, any_line: false, only_if_refused: case["expect"] == "ok|error" },
     };
     let cases = with_other_holes(case, (Holes::None, result["area_all"].as_f64()), 1e-6);
@@ -303,12 +369,13 @@ impl Case {
         [vec![self.file.clone()], self.options()].concat().join(" ")
     }
 
-    /// What is wrong with the names of the boundaries of a mesh, if anything.
+    /// What is wrong with the names of the boundaries of a mesh and with its groups, if anything.
     #[must_use]
     pub fn complaints_of_names(&self, mesh: &Mesh) -> Vec<String> {
-        let given = mesh.groups.iter().filter(|group| {
-            group.dim == 1 && meshwright::formats::groups::stated_tag(1, &group.name).is_none()
-        });
+        let given = mesh
+            .groups
+            .iter()
+            .filter(|group| group.dim == 1 && stated_tag(1, &group.name).is_none());
         let given: BTreeSet<&str> = given.map(|group| group.name.as_str()).collect();
         let missing = self.names.iter().filter(|name| !given.contains(name.as_str()));
         let mut complaints: Vec<String> =
@@ -316,6 +383,14 @@ impl Case {
         if self.boundaries.is_some_and(|count| count != given.len()) {
             complaints.push(format!("named boundaries: {given:?}, not {:?}", self.boundaries));
         }
+        let found = groups_of(mesh);
+        // Group 0 is written as what has no group; another number below 1 keeps its name alone.
+        let is_there = |(dim, tag, name): &&(u8, Tag, String)| {
+            found.contains(&(*dim, *tag, name.clone()))
+                || *tag < 1 && !name.is_empty() && found.iter().any(|g| g.0 == *dim && g.2 == *name)
+        };
+        let missing = self.groups.iter().filter(|group| !is_there(group));
+        complaints.extend(missing.map(|group| format!("no group {group:?} among {found:?}")));
         complaints
     }
 
@@ -355,6 +430,23 @@ impl Case {
     }
 }
 
+/// The groups that something in a mesh is in, by their numbers in the outline, with their names.
+fn groups_of(mesh: &Mesh) -> BTreeSet<(u8, Tag, String)> {
+    let edges = (0..mesh.edges.len()).map(|edge| (1, mesh.edge_tag(edge)));
+    let triangles = (0..mesh.triangles.len()).map(|triangle| (2, mesh.triangle_tag(triangle)));
+    let further = mesh.memberships.iter().map(|m| (m.dim, m.tag));
+    let used: BTreeSet<(u8, Tag)> = edges.chain(triangles).chain(further).collect();
+    let described = |(dim, tag): (u8, Tag)| {
+        let name = mesh.groups.iter().find(|group| group.dim == dim && group.tag == tag);
+        let name = name.map_or("", |group| group.name.as_str());
+        match stated_tag(dim, name) {
+            Some(tag) => (dim, tag, String::new()),
+            None => (dim, tag, name.to_owned()),
+        }
+    };
+    used.into_iter().map(described).collect()
+}
+
 /// Whether the talk holds the text, and no digit goes on where the text ends.
 fn names(talk: &str, text: &str) -> bool {
     talk.match_indices(text)
@@ -370,6 +462,34 @@ fn names_a_line(talk: &str, name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use meshwright::formats::{Group, Membership};
+
+    #[test]
+    fn an_entry_of_the_scripts_is_understood() {
+        let text = r#"{"area": 2.5, "physical": [{"dim": 1, "tag": 7, "name": "rim"},
+                       {"dim": 2, "tag": 0, "name": ""}]}"#;
+        let case = script("a.geo", &serde_json::from_str(text).unwrap());
+        assert_eq!((case.file.as_str(), case.area), ("geo/a.geo", Some((2.5, 0.025))));
+        assert_eq!(case.groups, [(1, 7, "rim".to_owned()), (2, 0, String::new())]);
+        assert_eq!(case.allowed, [Ending::Meshes]);
+        let refused = script(TURNING_BACK, &Value::Null);
+        assert_eq!((refused.allowed, refused.named.any_line), (vec![Ending::Refused], true));
+    }
+
+    #[test]
+    fn the_groups_of_a_mesh_have_the_numbers_of_the_outline() {
+        let group = |dim, tag, name: &str| Group { dim, tag, name: name.into() };
+        let mesh = Mesh {
+            edges: vec![[0, 1], [1, 2]],
+            edge_tags: vec![4, 9],
+            groups: vec![group(1, 4, "boundary_-3"), group(1, 9, "rim"), group(0, 2, "corner")],
+            memberships: vec![Membership { dim: 0, item: 1, tag: 2 }],
+            ..Mesh::default()
+        };
+        let found = groups_of(&mesh);
+        let expected = [(0, 2, "corner"), (1, -3, ""), (1, 9, "rim")];
+        assert_eq!(found, expected.map(|(d, t, n): (u8, Tag, &str)| (d, t, n.to_owned())).into());
+    }
 
     #[test]
     fn a_name_does_not_go_on_in_digits() {

@@ -15,8 +15,10 @@ use meshwright_campaigns::plane::segments_meet;
 use meshwright_campaigns::run::{self, guarded};
 
 /// The folders of the collection that hold outlines.
-const FOLDERS: [&str; 10] =
-    ["bad", "cdt", "cgshop25", "gis", "mesh2d", "obj", "outlines", "paper", "polygons", "triangle"];
+const FOLDERS: [&str; 11] = [
+    "bad", "cdt", "cgshop25", "geo", "gis", "mesh2d", "obj", "outlines", "paper", "polygons",
+    "triangle",
+];
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();

@@ -42,17 +42,31 @@ impl<'a> Grouping<'a> {
                 warnings.push(Warning { file, line, notice });
             }
         }
-        Self { model, of_entity }
+        let grouping = Self { model, of_entity };
+        grouping.warn(sources, warnings);
+        grouping
     }
 
-    /// Whether any point is in a group.
-    pub(super) fn has_points(&self) -> bool {
-        self.of_entity.keys().any(|&(dim, _)| dim == 0)
+    /// Says where an outline holds less than the script: a region has one group.
+    fn warn(&self, sources: &Sources, warnings: &mut Vec<Warning>) {
+        for (&(_, entity), groups) in self.of_entity.iter().filter(|((dim, _), _)| *dim == 2) {
+            if let [kept, dropped, ..] = groups[..] {
+                let place = self.model.groups[&(2, dropped)].place;
+                let notice = Notice::SecondGroup { surface: entity, kept, dropped };
+                let file = sources.name(place.file).to_owned();
+                warnings.push(Warning { file, line: sources.line(place), notice });
+            }
+        }
     }
 
-    /// The group of a point; 0 for none.
-    pub(super) fn point(&self, tag: i32) -> Tag {
-        self.first(0, tag)
+    /// The groups of a point.
+    pub(super) fn of_point(&self, tag: i32) -> &[Tag] {
+        self.of_entity.get(&(0, tag)).map_or(&[], |groups| groups)
+    }
+
+    /// The groups of a curve besides its first.
+    pub(super) fn further_of_curve(&self, tag: i32) -> &[Tag] {
+        self.of_entity.get(&(1, tag)).map_or(&[], |groups| &groups[1..])
     }
 
     /// The group of a curve; 0 for none.

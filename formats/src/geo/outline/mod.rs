@@ -19,7 +19,7 @@ use super::model::Model;
 use super::sources::{Answer, Sources};
 use super::syntax::Place;
 use crate::error::{Notice, Warning};
-use crate::pslg::{Pslg, Source};
+use crate::pslg::{Enclosed, Membership, Pslg, Source};
 use curves::Linework;
 use groups::Grouping;
 
@@ -44,7 +44,7 @@ pub(super) fn outline(
     let grouping = Grouping::new(model, sources, &mut warnings);
     let regions = surfaces::regions(&linework, &grouping, sources, &mut warnings)?;
     let mut pslg = segments(&linework, &grouping, sources);
-    pslg.enclosed = crate::pslg::Enclosed::Seeded;
+    pslg.enclosed = Enclosed::Seeded;
     for (region, place) in regions {
         pslg.regions.push(region);
         pslg.source.region_lines.push(sources.line(place));
@@ -67,9 +67,9 @@ fn segments(linework: &Linework, grouping: &Grouping, sources: &Sources) -> Pslg
         pslg.point_sizes.push(linework.sizes[&tag]);
         pslg.source.point_numbers.push(i64::from(tag));
         pslg.source.point_lines.push(sources.line(model.points[&tag].place));
-    }
-    if grouping.has_points() {
-        pslg.point_markers = linework.points.keys().map(|&tag| grouping.point(tag)).collect();
+        let item = index[&tag];
+        let groups = grouping.of_point(tag).iter();
+        pslg.memberships.extend(groups.map(|&tag| Membership { dim: 0, item, tag }));
     }
     let mut number = linework.points.last_key_value().map_or(0, |(&tag, _)| i64::from(tag));
     for (&tag, chain) in &linework.chains {
@@ -88,14 +88,15 @@ fn segments(linework: &Linework, grouping: &Grouping, sources: &Sources) -> Pslg
             from = to;
         }
         pslg.segments.push([from, last]);
+        for item in pslg.segment_tags.len() as u32..pslg.segments.len() as u32 {
+            let groups = grouping.further_of_curve(tag).iter();
+            pslg.memberships.extend(groups.map(|&tag| Membership { dim: 1, item, tag }));
+        }
         let count = chain.inner.len() + 1;
         pslg.segment_tags.resize(pslg.segments.len(), grouping.curve(tag));
         let lines = pslg.source.segment_lines.len() + count;
         pslg.source.segment_lines.resize(lines, line);
         pslg.source.segment_numbers.resize(lines, i64::from(tag));
-    }
-    if !pslg.point_markers.is_empty() {
-        pslg.point_markers.resize(pslg.points.len(), 0);
     }
     pslg
 }
