@@ -8,7 +8,8 @@
 //! `Include`; points, lines, circles, ellipses and splines; curve loops and plane surfaces;
 //! transformations, copies, extrusions within the plane, coherence; rectangles, disks, circles and
 //! ellipses of OpenCASCADE; sizes at points, transfinite curves; embedded points and curves;
-//! physical groups. Not read: volumes, boolean operations, files of other programs. Statements
+//! physical groups. Not read: volumes, boolean operations but for a difference of surfaces that lie
+//! inside one another, files of other programs. Statements
 //! about display, size fields, structured or periodic meshes are passed over and counted in one
 //! warning.
 //!

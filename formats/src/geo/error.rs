@@ -185,6 +185,21 @@ pub enum Problem {
         /// The loop that encloses the most.
         outer: i32,
     },
+    /// A boolean difference whose tools do not lie inside the object.
+    #[error(
+        "surface {surface}: BooleanDifference is read only where the tools lie inside the \
+             object and apart from one another"
+    )]
+    NotInside {
+        /// The surface.
+        surface: i32,
+    },
+    /// A curve is named whose number boolean operations have changed.
+    #[error("the number of curve {curve} after BooleanDifference is not known here")]
+    Unsure {
+        /// The curve, as it is counted here.
+        curve: i32,
+    },
     /// Surfaces that cover the same place.
     #[error("surface {surface} overlaps surface {other} (line {line}) near ({x}, {y})", x = at[0], y = at[1])]
     Overlap {

@@ -3,7 +3,7 @@
 use super::Evaluator;
 use super::value::whole;
 use crate::geo::error::Problem;
-use crate::geo::model::{Extrusion, Motion, Shape, Spread, Sweep, unknown};
+use crate::geo::model::{Difference, Extrusion, Motion, Shape, Spread, Sweep, unknown};
 use crate::geo::sources::Answer;
 use crate::geo::syntax::{Command, Expression, Operation, Place, Shape as ShapeSyntax, Shapes};
 
@@ -74,12 +74,37 @@ impl Evaluator<'_, '_> {
                 self.spend(work, place)?;
                 return self.model.points_of(&shapes).map_err(|problem| problem.at(place));
             }
-            Operation::Difference { .. } => {
-                return Err(super::unsupported("BooleanDifference").at(place));
+            Operation::Difference { tag, tools } => {
+                return self.subtract(command, &shapes, tag.as_ref(), tools);
             }
             Operation::Unsupported(name) => return Err(super::unsupported(name).at(place)),
         }
         Ok(shapes)
+    }
+
+    /// `BooleanDifference{ Surface{1}; Delete; }{ Surface{2}; Delete; }`
+    fn subtract(
+        &mut self,
+        command: &Command,
+        objects: &[Shape],
+        tag: Option<&Expression>,
+        tools: &Shapes,
+    ) -> Answer<Vec<Shape>> {
+        let place = command.place;
+        let tag = tag.map(|tag| self.tag(tag, "the number of a surface")).transpose()?;
+        let delete_tools = tools.delete;
+        let tools = self.shapes(tools)?;
+        let (&[(2, object)], true) = (objects, tools.iter().all(|&(dim, _)| dim == 2)) else {
+            let what = "BooleanDifference of anything but surfaces from one surface";
+            return Err(super::unsupported(what).at(place));
+        };
+        let tools: Vec<i32> = tools.into_iter().map(|(_, tag)| tag).collect();
+        let work = self.model.size() * (1 + tools.len() as u64);
+        self.spend(work, place)?;
+        let delete_object = command.shapes.delete;
+        let how = Difference { place, tag, object, delete_object, tools: &tools, delete_tools };
+        let made = self.model.subtract(&how).map_err(|problem| problem.at(place))?;
+        Ok(vec![(2, made)])
     }
 
     /// A direction.

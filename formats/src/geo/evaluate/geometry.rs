@@ -214,6 +214,10 @@ impl Evaluator<'_, '_> {
         }
         let members = self.tags(members, "the number of an entity")?;
         self.spend(ENTITY + members.len() as u64, place)?;
+        if dim == 1 {
+            let sure = members.iter().try_for_each(|&curve| self.model.is_sure(curve));
+            sure.map_err(|problem| problem.at(place))?;
+        }
         if dim == 3 {
             self.skip("Physical Volume", place);
             return Ok(());
@@ -285,6 +289,7 @@ impl Evaluator<'_, '_> {
         };
         let points = (count as u32).max(2);
         for tag in tags {
+            self.model.is_sure(tag).map_err(|problem| problem.at(place))?;
             let Some(curve) = self.model.curves.get_mut(&tag.abs()) else {
                 return Err(unknown("curve", tag).at(place));
             };
@@ -312,7 +317,7 @@ impl Evaluator<'_, '_> {
             for &member in &members {
                 let known = match dim {
                     0 => self.model.point(member).map(|_| ()),
-                    1 => self.model.curve(member).map(|_| ()),
+                    1 => self.model.is_sure(member).and(self.model.curve(member).map(|_| ())),
                     _ => Err(super::unsupported("Surface In Surface")),
                 };
                 known.map_err(|problem| problem.at(place))?;

@@ -5,6 +5,7 @@
 mod coherence;
 mod copies;
 mod curve;
+mod difference;
 mod extrude;
 mod motion;
 mod queries;
@@ -17,6 +18,7 @@ use super::error::Problem;
 use super::syntax::{Law, Place};
 
 pub(super) use curve::{Arc, Curve, CurveKind, RADIUS_TOLERANCE};
+pub(super) use difference::Difference;
 pub(super) use extrude::{Extrusion, Sweep};
 pub(super) use motion::Motion;
 pub(super) use tags::Tags;
@@ -57,6 +59,8 @@ pub(super) struct Surface {
     pub place: Place,
     /// Its loops, each with its tag (0 if it has none) and its curves, negative where reversed.
     pub loops: Vec<(i32, Vec<i32>)>,
+    /// Where among the loops those of each tool begin that was cut out of it.
+    pub tools: Vec<usize>,
     /// Curves that its mesh must keep.
     pub embedded_curves: Vec<i32>,
     /// Points that its mesh must keep.
@@ -64,6 +68,11 @@ pub(super) struct Surface {
 }
 
 impl Surface {
+    /// The tool that a loop belongs to, counted from 1; 0 for a loop of its own.
+    pub(super) fn tool_of(&self, of_loop: usize) -> usize {
+        self.tools.partition_point(|&begin| begin <= of_loop)
+    }
+
     /// The curves of all loops, negative where reversed.
     pub(super) fn curves(&self) -> impl Iterator<Item = i32> + '_ {
         self.loops.iter().flat_map(|(_, curves)| curves.iter().copied())
@@ -92,6 +101,8 @@ pub(super) struct Model {
     pub tags: Tags,
     /// Whether the script has asked for the OpenCASCADE kernel.
     pub is_occ: bool,
+    /// Curves that have other numbers in Gmsh, after boolean operations.
+    pub unsure_curves: BTreeSet<i32>,
 }
 
 /// What a shape is: its dimension and its tag, negative where a curve is reversed.
@@ -187,8 +198,8 @@ impl Model {
         loops: Vec<(i32, Vec<i32>)>,
     ) -> Result<(), Problem> {
         self.tags.use_surface(tag);
-        let (embedded_curves, embedded_points) = (Vec::new(), Vec::new());
-        let surface = Surface { place, loops, embedded_curves, embedded_points };
+        let (tools, embedded_curves, embedded_points) = (Vec::new(), Vec::new(), Vec::new());
+        let surface = Surface { place, loops, tools, embedded_curves, embedded_points };
         match self.surfaces.insert(tag, surface) {
             None => Ok(()),
             Some(_) => Err(exhausted()),

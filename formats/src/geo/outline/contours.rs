@@ -106,6 +106,40 @@ impl Polygon {
     }
 }
 
+impl Polygon {
+    /// Whether a side of this one meets a side of the other, or all but does.
+    pub(super) fn meets(&self, other: &Self) -> bool {
+        let boxes = |i: usize| self.least[i] <= other.most[i] && other.least[i] <= self.most[i];
+        let near: Vec<[[f64; 2]; 2]> = match boxes(0) && boxes(1) {
+            true => other.sides().filter(|side| reaches(*side, [self.least, self.most])).collect(),
+            false => return false,
+        };
+        self.sides().any(|a| near.iter().any(|&b| reaches(a, b) && !is_apart(a, b)))
+    }
+}
+
+/// Whether the boxes of two segments meet.
+fn reaches([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    (0..2).all(|i| a[i].min(b[i]) <= c[i].max(d[i]) && c[i].min(d[i]) <= a[i].max(b[i]))
+}
+
+/// Whether one of two segments lies clearly on one side of the other.
+fn is_apart(s: [[f64; 2]; 2], t: [[f64; 2]; 2]) -> bool {
+    let beside = |[a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]| {
+        let (c, d) = (side(a, b, c), side(a, b, d));
+        c * d > 0.0
+    };
+    beside(s, t) || beside(t, s)
+}
+
+/// −1, 0 or 1: right of the line from `a` to `b`, near it, left of it.
+fn side(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
+    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+    let (left, right) = (u[0] * v[1], u[1] * v[0]);
+    let doubt = 1e-12 * (left.abs() + right.abs());
+    if (left - right).abs() <= doubt { 0.0 } else { (left - right).signum() }
+}
+
 /// Whether a side crosses the ray from a place to the right.
 fn crosses_right_of([a, b]: [[f64; 2]; 2], p: [f64; 2]) -> bool {
     (a[1] > p[1]) != (b[1] > p[1]) && p[0] < abscissa([a, b], p[1])

@@ -95,6 +95,12 @@ fn parts(linework: &Linework, tag: i32, surface: &Surface) -> Answer<Parts> {
     };
     let polygons: Vec<Polygon> = found.iter().map(polygon).collect();
     let holders = holders(&polygons);
+    if !surface.tools.is_empty() {
+        let tool_of: Vec<usize> = found.iter().map(|c| surface.tool_of(c.of_loop)).collect();
+        if !tools_are_inside(&polygons, &holders, &tool_of) {
+            return Err(Problem::NotInside { surface: tag }.at(surface.place));
+        }
+    }
     let Some(largest) =
         (0..polygons.len()).max_by(|&i, &j| polygons[i].area.total_cmp(&polygons[j].area))
     else {
@@ -114,6 +120,20 @@ fn parts(linework: &Linework, tag: i32, surface: &Surface) -> Answer<Parts> {
         parts.push((outer, (0..polygons.len()).filter(is_hole).collect()));
     }
     Ok(Parts { tag, place: surface.place, polygons, parts })
+}
+
+/// Whether what is cut out of an object lies inside it and apart from one another: the polygons of
+/// tools (numbered from 1) enclose no polygon of the object (0) or of another tool, lie inside the
+/// object, and none of these meet.
+fn tools_are_inside(polygons: &[Polygon], holders: &[Vec<usize>], tool_of: &[usize]) -> bool {
+    let is_placed = |i: usize| {
+        let tools = holders[i].iter().map(|&j| tool_of[j]);
+        let in_object = tools.clone().filter(|&tool| tool == 0).count() % 2 == 1;
+        let in_others = tools.filter(|&tool| tool != 0 && tool != tool_of[i]).count() > 0;
+        !in_others && (tool_of[i] == 0 || in_object)
+    };
+    let apart = |i: usize, j: usize| tool_of[i] == tool_of[j] || !polygons[i].meets(&polygons[j]);
+    (0..polygons.len()).all(|i| is_placed(i) && (0..i).all(|j| apart(i, j)))
 }
 
 /// For each polygon those that enclose it.
