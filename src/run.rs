@@ -188,7 +188,7 @@ fn run(
     let kept = if has_attributes { initial.triangles.clone() } else { Vec::new() };
     let segments = Segments::of(&domain, &domain_points, domain.floor());
     let sizing = sizing(parameters, &domain);
-    let sizes = Sizes::of(&domain, &domain_points);
+    let sizes = Sizes::of(&domain, &domain_points, initial.points.len());
     let carved = carve(initial, &domain);
 
     let names = Names::new(&domain, &domain_points, pslg.points.len());

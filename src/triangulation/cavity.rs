@@ -4,6 +4,7 @@
 //! counter-clockwise. Nothing changes before [`Triangulation::commit`]: whether the point would
 //! encroach a subsegment, or must not be committed at all, is read off the boundary.
 
+use super::insertion::{beyond_hull, ghost_corner};
 use super::{Edge, OUTSIDE_THE_REGION, Triangulation};
 use crate::corners::{next, previous};
 use crate::predicates::{self, Relative};
@@ -93,7 +94,33 @@ impl Cavity {
         for i in [2, 1, 0] {
             self.visit_later(root, i, seen);
         }
-        self.grow(mesh, |_| false)?;
+        self.grow(mesh, |_| true, in_circle)?;
+        self.expect_polygon(2)
+    }
+
+    /// The cavity of a point to insert into a Delaunay triangulation with ghosts behind its hull;
+    /// `root` holds the point, or is a ghost in whose half-plane it lies.
+    pub(super) fn of_inserted_point(
+        &mut self,
+        mesh: &Triangulation,
+        point: [f64; 2],
+        root: u32,
+    ) -> Result<(), Rejected> {
+        self.clear(point);
+        let seen = mesh.corners(root).map(|corner| Relative::of(corner, point));
+        self.star.push(root);
+        self.regions = [0; 2];
+        for i in [2, 1, 0] {
+            self.visit_later(root, i, seen);
+        }
+        self.grow(
+            mesh,
+            |_| true,
+            |seen, corners, point, vertices| match ghost_corner(vertices) {
+                None => predicates::in_circle(seen, corners, point),
+                Some(i) => beyond_hull([corners[next(i)], corners[previous(i)]], point),
+            },
+        )?;
         self.expect_polygon(2)
     }
 
@@ -147,7 +174,7 @@ impl Cavity {
         self.star.push(root);
         self.visit_later(root, previous(edge.index()), seen);
         self.visit_later(root, next(edge.index()), seen);
-        self.grow(mesh, stays)
+        self.grow(mesh, |vertices| !stays(vertices), in_circle)
     }
 
     fn visit_later(&mut self, triangle: u32, i: usize, seen: [Relative; 3]) {
@@ -155,12 +182,13 @@ impl Cavity {
         self.stack.push(Visit { edge: Edge::new(triangle, i), seen });
     }
 
-    /// Takes in every triangle whose circumcircle strictly holds the point and that is reached
-    /// without crossing a subsegment.
+    /// Takes in every triangle that may go, whose circumcircle strictly holds the point and that is
+    /// reached without crossing a subsegment.
     fn grow(
         &mut self,
         mesh: &Triangulation,
-        stays: impl Fn([u32; 3]) -> bool,
+        may_go: impl Fn([u32; 3]) -> bool,
+        holds: impl Fn([Relative; 3], [[f64; 2]; 3], [f64; 2], [u32; 3]) -> bool,
     ) -> Result<(), Rejected> {
         while let Some(Visit { edge, seen }) = self.stack.pop() {
             let behind = mesh.behind(edge);
@@ -171,7 +199,7 @@ impl Cavity {
                 let mut all = [apex; 3];
                 all[next(behind.index())] = seen[1];
                 all[previous(behind.index())] = seen[0];
-                if !stays(triangle.vertices) && predicates::in_circle(all, corners, self.point) {
+                if may_go(triangle.vertices) && holds(all, corners, self.point, triangle.vertices) {
                     self.star.push(behind.triangle());
                     self.visit_later(behind.triangle(), previous(behind.index()), all);
                     self.visit_later(behind.triangle(), next(behind.index()), all);
@@ -260,6 +288,10 @@ impl Cavity {
     pub(super) fn region(&self, i: usize) -> u32 {
         self.regions[usize::from(self.second_side.is_some_and(|second| i >= second))]
     }
+}
+
+fn in_circle(seen: [Relative; 3], corners: [[f64; 2]; 3], p: [f64; 2], _: [u32; 3]) -> bool {
+    predicates::in_circle(seen, corners, p)
 }
 
 fn region(mesh: &Triangulation, triangle: u32) -> u32 {

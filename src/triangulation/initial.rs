@@ -1,12 +1,12 @@
-//! The initial constrained triangulation: the only door to `spade`.
+//! The initial constrained Delaunay triangulation: points along a Hilbert curve, then segments.
 
-use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
+use std::borrow::Cow;
 
-use super::{Edge, Triangle};
+use super::constraints::constrain;
+use super::insertion::{GHOST, delaunay};
+use super::{Edge, Triangle, Triangulation};
 use crate::Region;
-use crate::corners::previous;
 use crate::domain::Domain;
-use crate::predicates::{Side, side};
 
 /// The constrained Delaunay triangulation of a whole domain's convex hull (or of a box around it),
 /// before carving.
@@ -38,8 +38,6 @@ pub enum Error {
     Range,
 }
 
-type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
-
 /// Triangulates the convex hull of the domain, with every segment an edge.
 ///
 /// Where the whole is refined it is a box. A segment along the hull would have nothing behind it but
@@ -51,90 +49,71 @@ pub fn triangulate(domain: &Domain) -> Result<Initial, Error> {
     if domain.points.len() >= 1 << 27 {
         return Err(Error::TooManyPoints);
     }
-    let domain_points = along_hilbert_curve(&domain.points);
-    let mut points: Vec<_> = domain_points.iter().map(|&i| domain.points[i as usize]).collect();
+    let mut order = along_hilbert_curve(&domain.points);
+    let mut points = Cow::Borrowed(&domain.points);
     if domain.region == Region::Global {
-        points.extend(box_around(&points));
+        order.extend((points.len() as u32..).take(4));
+        points.to_mut().extend(box_around(&domain.points));
     }
-    let cdt = load(&points, &constraints(domain, &domain_points))?;
-    let (triangles, slots) = triangles_of(&cdt);
-    if triangles.iter().any(|t| !counter_clockwise(t, &points)) {
-        return Err(Error::Range);
-    }
-    let open = open_to_the_outside(&cdt).map(|face| slots[face]).collect();
-    Ok(Initial { points, domain_points, triangles, open })
+    let (mut mesh, mut domain_points) = delaunay(order, &points).ok_or(Error::Range)?;
+    domain_points.truncate(domain.points.len());
+    constrain(&mut mesh, segments(domain, &domain_points)).map_err(|_| Error::Range)?;
+    Ok(without_ghosts(mesh, domain_points))
 }
 
-/// The segments by the new numbers of their points.
-fn constraints(domain: &Domain, domain_points: &[u32]) -> Vec<[usize; 2]> {
-    let mut place = vec![0; domain_points.len()];
-    for (new, &old) in domain_points.iter().enumerate() {
-        place[old as usize] = new;
+/// The segments by the vertices of their points: vertex i + 1 is `domain_points[i]`.
+fn segments(domain: &Domain, domain_points: &[u32]) -> impl Iterator<Item = [u32; 2]> {
+    let mut vertices = vec![0; domain_points.len()];
+    for (vertex, &point) in (1..).zip(domain_points) {
+        vertices[point as usize] = vertex;
     }
-    domain.segments.iter().map(|ends| ends.map(|v| place[v as usize])).collect()
+    domain.segments.iter().map(move |ends| ends.map(|point| vertices[point as usize]))
 }
 
-fn load(points: &[[f64; 2]], segments: &[[usize; 2]]) -> Result<Cdt, Error> {
-    let vertices = points.iter().map(|&point| position(point)).collect();
-    let mut conflicts = 0;
-    let cdt = Cdt::try_bulk_load_cdt(vertices, segments.to_vec(), |_| conflicts += 1)
-        .map_err(|_| Error::Range)?;
-    let whole = conflicts == 0 && cdt.num_vertices() == points.len();
-    if whole { Ok(cdt) } else { Err(Error::Range) }
-}
-
-/// `spade` takes no coordinate below 2^-142; in a domain whose largest is above 2^-100 those are
-/// zero for every purpose but an exact predicate's, which [`triangulate`] asks afterwards.
-fn position([x, y]: [f64; 2]) -> Point2<f64> {
-    let snap = |c: f64| if c.abs() < spade::MIN_ALLOWED_VALUE { 0.0 } else { c };
-    Point2::new(snap(x), snap(y))
-}
-
-/// The inner faces as linked triangles in the order of their smallest vertex, for locality; and
-/// the slot of each face.
-fn triangles_of(cdt: &Cdt) -> (Vec<Triangle>, Vec<u32>) {
-    let mut order: Vec<(u32, u32)> = cdt
-        .inner_faces()
-        .map(|face| {
-            let smallest = face.vertices().iter().map(|v| v.index()).min().unwrap_or(0);
-            (smallest as u32, face.index() as u32)
-        })
-        .collect();
-    order.sort_unstable();
-    let mut slots = vec![u32::MAX; cdt.num_all_faces()];
-    for (slot, &(_, face)) in order.iter().enumerate() {
-        slots[face as usize] = slot as u32;
+/// The triangles that are none, taken out; the others in the order of their first vertices, for
+/// locality.
+fn without_ghosts(mesh: Triangulation, domain_points: Vec<u32>) -> Initial {
+    let vertices = |slot: usize| mesh.triangles[slot].vertices;
+    let smallest = |slot: usize| vertices(slot).into_iter().min().unwrap_or(GHOST);
+    // Counting sort by the smallest vertex; ghosts have the smallest of all.
+    let mut starts = vec![0_u32; mesh.points.len() + 1];
+    for slot in 0..mesh.triangles.len() {
+        starts[smallest(slot) as usize + 1] += 1;
     }
-
-    let mut triangles = vec![None; order.len()];
-    for face in cdt.inner_faces() {
-        let edges = face.adjacent_edges();
-        // Vertex i starts edge i of spade's, which is opposite our vertex i + 2.
-        let vertices = edges.map(|edge| edge.from().index() as u32);
-        let neighbors = [1, 2, 0].map(|i| {
-            let twin = edges[i].rev();
-            let Some(inner) = twin.face().as_inner() else {
-                return Edge::OUTSIDE;
-            };
-            let own = inner.adjacent_edges().map(|edge| edge.fix());
-            let place = own.iter().position(|&edge| edge == twin.fix()).unwrap_or(0);
-            Edge::new(slots[inner.index()], previous(place))
-                .constrained_if(twin.is_constraint_edge())
+    let ghosts = starts[GHOST as usize + 1];
+    for v in 1..starts.len() {
+        starts[v] += starts[v - 1];
+    }
+    let mut places = vec![u32::MAX; mesh.triangles.len()];
+    for (slot, place) in places.iter_mut().enumerate() {
+        let start = &mut starts[smallest(slot) as usize];
+        *place = *start;
+        *start += 1;
+    }
+    let unused = Triangle { vertices: [0; 3], neighbors: [Edge::OUTSIDE; 3] };
+    let mut triangles = vec![unused; mesh.triangles.len() - ghosts as usize];
+    let mut open = Vec::new();
+    for (slot, triangle) in mesh.triangles.iter().enumerate() {
+        let Some(place) = places[slot].checked_sub(ghosts) else { continue };
+        let neighbors = triangle.neighbors.map(|edge| {
+            match places[edge.triangle() as usize].checked_sub(ghosts) {
+                Some(behind) => {
+                    Edge::new(behind, edge.index()).constrained_if(edge.is_constrained())
+                }
+                None => {
+                    if !edge.is_constrained() {
+                        open.push(place);
+                    }
+                    Edge::OUTSIDE
+                }
+            }
         });
-        triangles[slots[face.index()] as usize] = Some(Triangle { vertices, neighbors });
+        let vertices = triangle.vertices.map(|v| v - 1);
+        triangles[place as usize] = Triangle { vertices, neighbors };
     }
-    (triangles.into_iter().flatten().collect(), slots)
-}
-
-/// The inner faces at an edge of the hull that is no segment.
-fn open_to_the_outside(cdt: &Cdt) -> impl Iterator<Item = usize> + '_ {
-    let open = cdt.convex_hull().filter(|edge| !edge.is_constraint_edge());
-    open.filter_map(|edge| edge.rev().face().as_inner().map(|face| face.index()))
-}
-
-fn counter_clockwise(triangle: &Triangle, points: &[[f64; 2]]) -> bool {
-    let [a, b, c] = triangle.vertices.map(|v| points[v as usize]);
-    side(a, b, c) == Side::Left
+    let mut points = mesh.points;
+    points.remove(GHOST as usize);
+    Initial { points, domain_points, triangles, open }
 }
 
 /// The corners of a box that is larger than the points' by its size on every side: no segment's

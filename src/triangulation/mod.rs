@@ -5,7 +5,9 @@
 //! changes the mesh, [`initial`] makes the first triangulation.
 
 pub mod cavity;
+mod constraints;
 pub mod initial;
+mod insertion;
 mod subsegments;
 
 pub use cavity::{Cavity, Rejected};

@@ -1,0 +1,117 @@
+//! The Delaunay triangulation of points, one after the other.
+//!
+//! While it grows, every edge of the convex hull has a *ghost* triangle behind it, whose third
+//! vertex is [`GHOST`], "at infinity": its circumcircle is the half-plane beyond the edge. So a
+//! point outside the hull is inserted like any other, and no edge is without a neighbour.
+
+use super::{Cavity, Edge, Rejected, Triangle, Triangulation};
+use crate::corners::{next, previous};
+use crate::predicates::{Relative, Side, sees_left, side};
+
+/// The vertex of ghosts; its coordinates mean nothing.
+pub(super) const GHOST: u32 = 0;
+
+/// Which corner of a triangle is the ghost.
+#[inline]
+pub(super) fn ghost_corner(vertices: [u32; 3]) -> Option<usize> {
+    vertices.iter().position(|&v| v == GHOST)
+}
+
+/// Triangulates points that are distinct and not all on one line, in the given order, each found
+/// by a walk from the one before: so they should come along a curve.
+///
+/// Returns the triangulation, ghosts included, and the order in which the points came (the third
+/// is the first that is not on a line with the first two): vertex i + 1 is the i-th of them.
+/// `None` where there is no such third point, or a point is there twice.
+pub(super) fn delaunay(
+    mut order: Vec<u32>,
+    points: &[[f64; 2]],
+) -> Option<(Triangulation, Vec<u32>)> {
+    let at = |i: u32| points[i as usize];
+    let &[first, second, ..] = &order[..] else { return None };
+    let third = order[2..].iter().position(|&i| side(at(first), at(second), at(i)) != Side::On)?;
+    order[2..third + 3].rotate_right(1);
+
+    let mut growing = Growing::of_triangle([first, second, order[2]].map(at), points.len());
+    for &i in &order[3..] {
+        growing.insert(at(i)).ok()?;
+    }
+    Some((growing.mesh, order))
+}
+
+/// A triangulation that grows.
+struct Growing {
+    mesh: Triangulation,
+    cavity: Cavity,
+    /// Where the next walk begins.
+    last: u32,
+}
+
+impl Growing {
+    /// One triangle and its three ghosts, with room for `count` points.
+    fn of_triangle([a, b, c]: [[f64; 2]; 3], count: usize) -> Self {
+        let vertices = if side(a, b, c) == Side::Left { [1, 2, 3] } else { [1, 3, 2] };
+        let mut triangles = Vec::with_capacity(2 * count + 2);
+        triangles.push(Triangle { vertices, neighbors: [1, 2, 3].map(|slot| Edge::new(slot, 0)) });
+        for i in 0..3 {
+            // The ghost behind edge i, and beside it those that share an end of the edge.
+            let [before, after] = [previous(i), next(i)];
+            triangles.push(Triangle {
+                vertices: [GHOST, vertices[before], vertices[after]],
+                neighbors: [
+                    Edge::new(0, i),
+                    Edge::new(before as u32 + 1, 2),
+                    Edge::new(after as u32 + 1, 1),
+                ],
+            });
+        }
+        let mut points = Vec::with_capacity(count + 1);
+        points.extend([[0.0; 2], a, b, c]);
+        let mesh = Triangulation { points, triangles, ..Triangulation::default() };
+        Self { mesh, cavity: Cavity::default(), last: 0 }
+    }
+
+    fn insert(&mut self, point: [f64; 2]) -> Result<(), Rejected> {
+        let root = self.locate(point);
+        self.cavity.of_inserted_point(&self.mesh, point, root)?;
+        self.mesh.commit(&mut self.cavity);
+        self.last = self.cavity.star[0];
+        Ok(())
+    }
+
+    /// The triangle that holds a point, or a ghost in whose half-plane it lies. A walk through a
+    /// Delaunay triangulation that always crosses an edge towards its goal ends.
+    fn locate(&self, point: [f64; 2]) -> u32 {
+        let mut slot = self.last;
+        if let Some(corner) = ghost_corner(self.mesh.triangles[slot as usize].vertices) {
+            slot = self.mesh.triangles[slot as usize].neighbors[corner].triangle();
+        }
+        loop {
+            let Triangle { vertices, neighbors } = self.mesh.triangles[slot as usize];
+            if ghost_corner(vertices).is_some() {
+                return slot;
+            }
+            let ends = vertices.map(|v| self.mesh.points[v as usize]);
+            let seen = ends.map(|end| Relative::of(end, point));
+            let beyond = (0..3).find(|&i| {
+                let (from, to) = (previous(i), next(i));
+                sees_left([seen[from], seen[to]], [ends[from], ends[to]], point)
+            });
+            match beyond {
+                Some(i) => slot = neighbors[i].triangle(),
+                None => return slot,
+            }
+        }
+    }
+}
+
+/// Whether a point lies in the half-plane of a ghost, whose edge runs from `u` to `w` with the hull
+/// on its right; of the edge's line only what is between its ends counts.
+pub(super) fn beyond_hull([u, w]: [[f64; 2]; 2], point: [f64; 2]) -> bool {
+    match side(u, w, point) {
+        Side::Left => true,
+        Side::Right => false,
+        Side::On => (0..2)
+            .any(|k| (u[k] < point[k] && point[k] < w[k]) || (w[k] < point[k] && point[k] < u[k])),
+    }
+}
