@@ -76,6 +76,14 @@ pub fn on_bisector(a: [f64; 2], b: [f64; 2], height: f64) -> [f64; 2] {
     [a[0] + (0.5 * dx - height * dy), a[1] + (0.5 * dy + height * dx)]
 }
 
+/// The point over the segment from `a` to `b`, to its left, at `height` over it and `shift` beside
+/// its middle towards `b`, both in lengths of the segment.
+#[must_use]
+pub fn beside_bisector(a: [f64; 2], b: [f64; 2], height: f64, shift: f64) -> [f64; 2] {
+    let [x, y] = on_bisector(a, b, height);
+    [x + shift * (b[0] - a[0]), y + shift * (b[1] - a[1])]
+}
+
 /// The distance between two points, in double-double.
 fn distance(x: [f64; 2], y: [f64; 2]) -> DoubleDouble {
     let dx = DoubleDouble::difference(y[0], x[0]);

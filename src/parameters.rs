@@ -184,6 +184,10 @@ pub enum Steiner {
     OffCenter,
     /// The circumcenter.
     Circumcenter,
+    /// Of some twenty points that obey the same rule as off-centers, the one that leaves the fewest
+    /// bad triangles; the off-center where none obeys. Fewer points, for two to three times the
+    /// work.
+    LookAhead,
 }
 
 /// Which small angles are attacked.

@@ -23,7 +23,8 @@ pub struct RefineOptions {
     /// or at points put there before [default: ladder].
     #[arg(long, alias = "split", value_parser = one_of(SPLITTINGS))]
     splitting: Option<Splitting>,
-    /// Where the point goes that removes a bad triangle [default: off-center].
+    /// Where the point goes that removes a bad triangle: the best of many (look-ahead) makes the
+    /// fewest points [default: off-center].
     #[arg(long, value_parser = one_of(STEINERS))]
     steiner: Option<Steiner>,
     /// Which small angles are attacked: all but the excused ones, or all [default: adaptive].

@@ -16,8 +16,11 @@ pub const EXCUSES: [(&str, Excuse); 2] =
 pub const SPLITTINGS: [(&str, Splitting); 3] =
     [("ladder", Splitting::Ladder), ("shells", Splitting::Shells), ("augment", Splitting::Augment)];
 /// Where the point goes that removes a bad triangle.
-pub const STEINERS: [(&str, Steiner); 2] =
-    [("off-center", Steiner::OffCenter), ("circumcenter", Steiner::Circumcenter)];
+pub const STEINERS: [(&str, Steiner); 3] = [
+    ("off-center", Steiner::OffCenter),
+    ("circumcenter", Steiner::Circumcenter),
+    ("look-ahead", Steiner::LookAhead),
+];
 /// Which small angles are attacked.
 pub const RULES: [(&str, Rule); 3] =
     [("adaptive", Rule::Adaptive), ("ruppert", Rule::Ruppert), ("terminator", Rule::Terminator)];

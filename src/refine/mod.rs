@@ -9,6 +9,7 @@
 //! | Algorithm 1 (§9) | `augment` |
 //! | splitting on dyadic ladders (ours) | [`ladder`] |
 //! | points, midpoints, circumcenters, §3 | [`provenance`] |
+//! | Steiner points, §3 and ours | [`steiner`], `look_ahead` |
 //! | any further trigger (ours) | [`sizing`], [`local_areas`], [`sizes`], [`soft`] |
 //! | features one by one, §3 | [`incremental`] |
 //! | the Terminator, for comparison (§1) | [`terminator`] |
@@ -23,6 +24,7 @@ pub mod incremental;
 pub mod interpolation;
 pub mod ladder;
 pub mod local_areas;
+mod look_ahead;
 pub mod piece;
 pub mod provenance;
 pub mod quality;
@@ -333,7 +335,12 @@ impl<'a> Refinement<'a> {
         };
         self.leave_room()?;
         let corners = self.mesh.corners(entry.slot);
-        let point = self.precision.round(steiner::point(self.parameters, corners, trigger));
+        let ahead = match self.parameters.steiner {
+            Steiner::LookAhead => self.look_ahead(entry, trigger),
+            _ => None,
+        };
+        let usual = || self.precision.round(steiner::point(self.parameters, corners, trigger));
+        let point = ahead.unwrap_or_else(usual);
         let vertices = self.mesh.triangles[entry.slot as usize].vertices;
         let proposer = Proposer { vertices, trigger, point };
         if let Err(rejected) = self.cavity.of_steiner_point(&self.mesh, point, entry.slot) {

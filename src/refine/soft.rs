@@ -18,7 +18,14 @@ pub fn may_attack(domain: &Domain, corners: [[f64; 2]; 3], trigger: Trigger) -> 
     let [a, b] = [corners[next(trigger.edge)], corners[previous(trigger.edge)]];
     let circumcenter = on_bisector(a, b, 0.5 * trigger.angle.dot / trigger.angle.cross);
     let radius = 0.5 * trigger.squared.sqrt() / trigger.angle.sine();
-    domain.has_two_features_within(circumcenter, radius / LEAST_RADIUS)
+    may_stand(domain, circumcenter, radius)
+}
+
+/// Whether a Steiner point for the sake of the soft target may stand at a place: two features are
+/// near, by the circumradius of the triangle that it removes.
+#[must_use]
+pub fn may_stand(domain: &Domain, place: [f64; 2], radius: f64) -> bool {
+    domain.has_two_features_within(place, radius / LEAST_RADIUS)
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ pub fn point(parameters: &Parameters, corners: [[f64; 2]; 3], trigger: Trigger) 
     let circumcenter = trigger.angle.dot / (2.0 * trigger.angle.cross);
     let by_angle = trigger.angle.is_below(parameters.min_angle);
     let height = match parameters.steiner {
-        Steiner::OffCenter if by_angle => {
+        Steiner::OffCenter | Steiner::LookAhead if by_angle => {
             circumcenter.min(off_center(parameters.soft_angle.unwrap_or(parameters.min_angle)))
         }
         _ => circumcenter,

@@ -43,7 +43,8 @@ proptest! {
 fn parameters() -> impl Strategy<Value = Parameters> {
     let splitting = prop::sample::select(vec![Splitting::Ladder, Splitting::Shells]);
     let excuse = prop::sample::select(vec![Excuse::Measured, Excuse::Midpoints]);
-    let steiner = prop::sample::select(vec![Steiner::OffCenter, Steiner::Circumcenter]);
+    let steiner =
+        prop::sample::select(vec![Steiner::OffCenter, Steiner::Circumcenter, Steiner::LookAhead]);
     let region = prop::sample::select(vec![Region::Domain, Region::Hull, Region::Global]);
     let min_angle = prop_oneof![
         Just(MinAngle::default()),

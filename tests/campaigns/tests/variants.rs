@@ -251,6 +251,19 @@ fn global_refinement_keeps_every_promise() {
 }
 
 #[test]
+fn looking_ahead_makes_fewer_points_and_keeps_every_promise() {
+    let (mut ahead, mut usual) = (0, 0);
+    for (name, outline) in spread() {
+        let parameters = Parameters { steiner: Steiner::LookAhead, ..Parameters::default() };
+        let judged = judge(&outline, &parameters);
+        assert!(!matches!(judged.verdict, Verdict::Failed(_)), "{name}: {:?}", judged.verdict);
+        ahead += judged.points();
+        usual += judge(&outline, &Parameters::default()).points();
+    }
+    assert!(100 * ahead < 90 * usual, "{ahead} points against {usual}");
+}
+
+#[test]
 fn ruppert_above_its_limit_names_the_apex() {
     let wedge = figures::wedge(0.1);
     let parameters = Parameters { rule: Rule::Ruppert, ..Parameters::default() };
