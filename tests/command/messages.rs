@@ -47,7 +47,7 @@ fn wrong_values_are_refused_with_the_reason() {
         ("--scale 0", "it must be greater than 0"),
         ("--splitting steps", "[possible values: ladder, shells, augment]"),
         ("--excuse none", "[possible values: measured, midpoints]"),
-        ("--steiner centroid", "[possible values: off-center, circumcenter]"),
+        ("--steiner centroid", "[possible values: off-center, circumcenter, look-ahead]"),
         ("--rule chew", "[possible values: adaptive, ruppert, terminator]"),
         ("--region box", "[possible values: domain, hull, global]"),
         ("--no-such-flag", "unexpected argument '--no-such-flag'"),
