@@ -3,7 +3,7 @@
 //! Two segments that meet at x with angle θ cannot be told apart, as the theorem needs it, at a
 //! distance d from x with θ²·d < 4·ulp(M) or θ·d < φ = 2^12·ulp(M). What lies in that stretch of
 //! the two, or between them, follows from the outline alone; the triangles with a point there are
-//! not promised G3 and G5–G7, and those whose circumcenter encroaches a subsegment there are not
+//! not promised G3 and G5–G7, and those whose circumcenter would replace such a triangle are not
 //! promised G5–G7.
 //!
 //! Neither are those at two features that do not adjoin and are less than 2φ apart: between them
@@ -108,11 +108,10 @@ impl Floor {
         triangle.iter().any(|&v| self.limited[v as usize])
     }
 
-    /// Whether the circumcenter of triangle `t` lies in the diametral disc of a subsegment with a
-    /// point in a stretch. Splits of that one were refused, and so was the circumcenter: the
-    /// triangle is as it is because of the stretch, though it has no point there.
-    ///
-    /// The subsegment is sought as far as triangles have circles that hold the circumcenter.
+    /// Whether the cavity of the circumcenter of triangle `t` has a point in a stretch. There the
+    /// circumcenter would encroach a subsegment whose splits were refused, or have a star that
+    /// rounding makes no star: it was refused, and the triangle is as it is because of the stretch,
+    /// though it has no point there.
     pub(super) fn stops(&self, complex: &Complex, chains: &Chains, t: usize) -> bool {
         if self.apexes.is_empty() && self.narrows.is_empty() {
             return false;
@@ -120,21 +119,18 @@ impl Floor {
         let center = circumcenter(complex.triangles[t].map(|v| complex.at(v)));
         let (mut found, mut i) = (vec![t as u32], 0);
         while i < found.len() && found.len() < MOST_IN_A_CAVITY {
-            for h in 3 * found[i]..3 * found[i] + 3 {
-                let ends = complex.edge(h);
+            if self.covers(&complex.triangles[found[i] as usize]) {
+                return true;
+            }
+            for h in (3 * found[i]..3 * found[i] + 3).filter(|&h| !chains.is_subsegment(h)) {
                 let beyond = complex.twin[h as usize];
-                if chains.is_subsegment(h) {
-                    let [a, b] = ends.map(|v| complex.at(v));
-                    let is_limited = ends.iter().any(|&v| self.limited[v as usize]);
-                    if is_limited && exact::diametral(a, b, center) == Ordering::Less {
-                        return true;
-                    }
-                } else if beyond != NONE && !found.contains(&(beyond / 3)) {
-                    let corners = complex.triangles[beyond as usize / 3];
-                    let [a, b, c] = corners.map(|v| complex.at(v));
-                    if exact::in_circle(a, b, c, center) == Ordering::Greater {
-                        found.push(beyond / 3);
-                    }
+                if beyond == NONE || found.contains(&(beyond / 3)) {
+                    continue;
+                }
+                let corners = complex.triangles[beyond as usize / 3];
+                let [a, b, c] = corners.map(|v| complex.at(v));
+                if exact::in_circle(a, b, c, center) == Ordering::Greater {
+                    found.push(beyond / 3);
                 }
             }
             i += 1;
