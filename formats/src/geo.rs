@@ -1,8 +1,8 @@
 //! Outlines in Gmsh's `.geo` scripts.
 //!
-//! A script is evaluated, not searched for patterns: [`grammar`] reads it statement by statement
-//! (its files open with their productions), [`evaluate`] runs the statements, which build the
-//! geometry ([`model`]), and [`outline`] lays that into its plane.
+//! A script is evaluated, not searched for patterns: `grammar` reads it statement by statement
+//! (its files open with their productions), `evaluate` runs the statements, which build the
+//! geometry (`model`), and `outline` lays that into its plane.
 //!
 //! Read is what plane geometries use: variables, lists, texts, functions, `If`, `For`, `Macro`,
 //! `Include`; points, lines, circles, ellipses and splines; curve loops and plane surfaces;
