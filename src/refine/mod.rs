@@ -269,6 +269,7 @@ impl<'a> Refinement<'a> {
             self.parameters.soft_angle.is_none()
                 || found.angle.is_below(self.parameters.min_angle)
                 || soft::may_attack(self.domain, corners, *found)
+                || self.may_be_improved_for_its_size(slot)
         };
         self.small_angle(slot).filter(allowed).or_else(|| {
             let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);

@@ -21,6 +21,10 @@ use crate::triangulation::Edge;
 /// the bound.
 const LARGEST_RADIUS: f64 = 0.78;
 
+/// The least circumradius, in sizes, of a triangle that is attacked for a soft target alone: some
+/// half of what sizes leave.
+const LEAST_SOFT_RADIUS: f64 = 0.2;
+
 /// A subsegment is too long where it is more than this times the size at its ends: halved again and
 /// again, pieces are of the size on average.
 const LONGEST_PIECE: f64 = 1.4;
@@ -53,14 +57,13 @@ impl Sizes {
         mean(vertices.map(|v| (v, 1.0)), |v| self.of_vertices[v as usize])
     }
 
-    /// Whether the circumcircle of a triangle is larger than its corners' sizes allow.
-    fn is_too_large(&self, vertices: [u32; 3], [p, a, b]: [[f64; 2]; 3]) -> bool {
-        let wanted = self.mean_at(vertices);
+    /// The circumradius of a triangle, in the sizes at its corners.
+    fn radius(&self, vertices: [u32; 3], [p, a, b]: [[f64; 2]; 3]) -> f64 {
         let [a, b] = [a, b].map(|corner| Relative::of(corner, p));
         let third = a.squared + b.squared - 2.0 * a.dot(b);
         // R = |a||b||c| / (2·cross)
         let product = a.squared.sqrt() * b.squared.sqrt() * third.sqrt();
-        product > LARGEST_RADIUS * wanted * 2.0 * a.cross(b)
+        product / (self.mean_at(vertices) * 2.0 * a.cross(b))
     }
 
     fn is_too_long(&self, ends: [u32; 2], [a, b]: [[f64; 2]; 2]) -> bool {
@@ -109,9 +112,18 @@ impl Refinement<'_> {
 
     /// Whether a triangle is larger than the sizes at its corners ask for.
     pub(super) fn is_larger_than_its_size(&self, slot: u32) -> bool {
-        self.sizes.as_ref().is_some_and(|sizes| {
-            sizes.is_too_large(self.mesh.triangles[slot as usize].vertices, self.mesh.corners(slot))
-        })
+        self.radius_in_sizes(slot).is_some_and(|radius| radius > LARGEST_RADIUS)
+    }
+
+    /// Whether a triangle is so large for the size there that an angle may be attacked that only
+    /// misses the soft target: sizes are a floor of their own (ALGORITHM §6).
+    pub(super) fn may_be_improved_for_its_size(&self, slot: u32) -> bool {
+        self.radius_in_sizes(slot).is_some_and(|radius| radius >= LEAST_SOFT_RADIUS)
+    }
+
+    fn radius_in_sizes(&self, slot: u32) -> Option<f64> {
+        let vertices = self.mesh.triangles[slot as usize].vertices;
+        self.sizes.as_ref().map(|sizes| sizes.radius(vertices, self.mesh.corners(slot)))
     }
 
     /// Gives the vertex that was just committed its size.

