@@ -124,9 +124,9 @@ fn hostile_outlines_are_triangulated_as_by_spade() {
 #[test]
 fn points_on_one_line_but_for_one_are_triangulated() {
     for n in [2, 3, 50] {
-        let mut outline = Pslg::default();
-        outline.points = (0..n).map(|i| [f64::from(i), 2.0 * f64::from(i)]).collect();
-        outline.points.push([0.5, 7.0]);
+        let line = (0..n).map(|i| [f64::from(i), 2.0 * f64::from(i)]);
+        let points = line.chain([[0.5, 7.0]]).collect();
+        let outline = Pslg { points, ..Pslg::default() };
         agrees_with_spade(&outline, Region::Hull);
     }
 }
