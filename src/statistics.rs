@@ -1,5 +1,6 @@
 //! Counts and angles of a mesh, for summaries.
 
+pub use crate::certify::Kinds;
 use std::collections::BTreeMap;
 
 use meshwright_formats::{Group, Mesh, Provenance, Tag};
@@ -40,19 +41,6 @@ pub struct Statistics {
     pub largest_angles: [usize; 24],
     /// The groups of edges, then those of triangles, each by tag; tag 0 stands for those without.
     pub groups: Vec<GroupCount>,
-}
-
-/// Numbers of points by kind.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Kinds {
-    /// Points of the outline.
-    pub input: usize,
-    /// Points on segments that count as input (see [`Provenance::Shell`]).
-    pub shell: usize,
-    /// Midpoints of subsegments.
-    pub midpoint: usize,
-    /// Steiner points inside.
-    pub circumcenter: usize,
 }
 
 /// A group and how much belongs to it.

@@ -53,8 +53,8 @@ use crate::parameters::Region;
 
 /// Judges a mesh against the outline that it is a mesh of.
 ///
-/// Every guarantee is judged (G8 and G9 only where the mesh says its points' kinds), and the mesh's tags are compared with the outline's. The
-/// work grows like n log n.
+/// Every guarantee is judged (G8 and G9 only where the mesh says its points' kinds), and the mesh's
+/// tags are compared with the outline's. The work grows like n log n.
 ///
 /// ```
 /// use meshwright::certify::{Guarantee, Promise, Verdict, certify};

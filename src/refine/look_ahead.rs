@@ -14,8 +14,9 @@ use crate::corners::{next, previous};
 /// Heights over the trigger edge, in its lengths; the circumcenter's comes on top. The last is the
 /// off-center's: there the new triangle's angle is a little above κ̂.
 ///
-/// Choice (measured, points of Superior, boxed, `baltic_like`): with these 780, 1 098, 4 742; shifts
-/// of a half instead of a quarter 797, 1 127, 4 895; six heights 778, 1 081, 4 682.
+/// Choice (points of Superior, boxed, `baltic_like`, all with one order of the points; another order
+/// moves each by some 2 %): with these 780, 1 098, 4 742; shifts of a half instead of a quarter 797,
+/// 1 127, 4 895; six heights 778, 1 081, 4 682.
 const HEIGHTS: [f64; 3] = [1.33, 1.68, 2.02];
 /// The same where there is a soft target: its triangles are flatter. More heights cost points
 /// (boxed at 33°: 1 691 with this one; 1 807 with 1.33 and 1.385 too).

@@ -89,11 +89,7 @@ impl Cavity {
         if !predicates::in_circle(seen, corners, point) {
             return Err(Rejected::OutsideItsDisc);
         }
-        self.star.push(root);
-        self.regions = [region(mesh, root); 2];
-        for i in [2, 1, 0] {
-            self.visit_later(root, i, seen);
-        }
+        self.begin_with(mesh, root, seen);
         self.grow(mesh, |_| true, in_circle)?;
         self.expect_polygon(2)
     }
@@ -108,11 +104,7 @@ impl Cavity {
     ) -> Result<(), Rejected> {
         self.clear(point);
         let seen = mesh.corners(root).map(|corner| Relative::of(corner, point));
-        self.star.push(root);
-        self.regions = [0; 2];
-        for i in [2, 1, 0] {
-            self.visit_later(root, i, seen);
-        }
+        self.begin_with(mesh, root, seen);
         self.grow(
             mesh,
             |_| true,
@@ -152,6 +144,15 @@ impl Cavity {
         self.regions[1] = region(mesh, behind.triangle());
         self.grow_side(mesh, behind, stays)?;
         self.expect_polygon(2)
+    }
+
+    /// Takes in the first triangle, whose corners are `seen` from the point.
+    fn begin_with(&mut self, mesh: &Triangulation, root: u32, seen: [Relative; 3]) {
+        self.star.push(root);
+        self.regions = [region(mesh, root); 2];
+        for i in [2, 1, 0] {
+            self.visit_later(root, i, seen);
+        }
     }
 
     fn clear(&mut self, point: [f64; 2]) {

@@ -141,14 +141,25 @@ impl Model {
             return Ok(vec![(1, tag)]);
         }
         let surface = self.tags.next_surface();
+        self.insert_swept(how, surface, [tag, top], [at_begin, at_end])?;
+        let mut made = vec![(1, top), (2, surface)];
+        made.extend(sides.into_iter().map(|side| (1, side)));
+        Ok(made)
+    }
+
+    /// The surface between a curve and its copy `top`, and the curves that its ends ran along.
+    fn insert_swept(
+        &mut self,
+        how: &Extrusion,
+        surface: i32,
+        [tag, top]: [i32; 2],
+        [at_begin, at_end]: [Option<i32>; 2],
+    ) -> Result<(), Problem> {
         let mut curves = vec![tag];
         curves.extend(at_end);
         curves.push(-top);
         curves.extend(at_begin.map(|curve| -curve));
-        self.insert_surface(how.place, surface, vec![(0, curves)])?;
-        let mut made = vec![(1, top), (2, surface)];
-        made.extend(sides.into_iter().map(|side| (1, side)));
-        Ok(made)
+        self.insert_surface(how.place, surface, vec![(0, curves)])
     }
 
     /// As OpenCASCADE counts: the curves at both ends, then the far one.
@@ -178,11 +189,7 @@ impl Model {
         let top = self.next_shape_curve();
         self.add_curve(top, Curve { place: how.place, kind, points, spread: source.spread })?;
         let surface = self.tags.surface.saturating_add(1);
-        let mut curves = vec![tag];
-        curves.extend(at_end);
-        curves.push(-top);
-        curves.extend(at_begin.map(|curve| -curve));
-        self.insert_surface(how.place, surface, vec![(0, curves)])?;
+        self.insert_swept(how, surface, [tag, top], [at_begin, at_end])?;
         let mut made = vec![(1, top), (2, surface)];
         made.extend(at_begin.into_iter().chain(at_end).map(|side| (1, side)));
         Ok(made)
