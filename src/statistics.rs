@@ -1,9 +1,10 @@
 //! Counts and angles of a mesh, for summaries.
 
-pub use crate::certify::Kinds;
 use std::collections::BTreeMap;
 
 use meshwright_formats::{Group, Mesh, Provenance, Tag};
+
+pub use crate::certify::Kinds;
 
 /// What a mesh consists of.
 ///
