@@ -39,7 +39,7 @@ fn mixed(shells: bool, random: &mut Random) -> Parameters {
     Parameters {
         splitting: *random.pick(if shells { &splittings } else { &splittings[..1] }),
         excuse: *random.pick(&[Excuse::Measured, Excuse::Midpoints]),
-        steiner: *random.pick(&[Steiner::OffCenter, Steiner::Circumcenter]),
+        steiner: *random.pick(&[Steiner::OffCenter, Steiner::Circumcenter, Steiner::LookAhead]),
         region: *random.pick(&[Region::Domain, Region::Hull, Region::Global]),
         incremental: random.chance(0.3),
         min_angle: if is_lower {
@@ -67,6 +67,7 @@ pub fn options(parameters: &Parameters) -> String {
     } = parameters;
     let word = |value: &dyn std::fmt::Debug| match format!("{value:?}").as_str() {
         "OffCenter" => "off-center".to_owned(),
+        "LookAhead" => "look-ahead".to_owned(),
         one_word => one_word.to_lowercase(),
     };
     let angle = soft_angle.unwrap_or(*min_angle).degrees();

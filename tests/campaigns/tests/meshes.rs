@@ -7,9 +7,10 @@ use meshwright::{Excuse, MinAngle, Parameters, Pslg, Region, Splitting, Steiner,
 use meshwright_campaigns::families::Family;
 use meshwright_campaigns::hostile::hostile;
 use meshwright_campaigns::judge::{Verdict, judge};
+use meshwright_campaigns::measure::smallest_angle;
 use meshwright_campaigns::run::{Ending, guarded, in_order};
 use meshwright_campaigns::tangle::Tangle;
-use meshwright_campaigns::{Random, figures, poly};
+use meshwright_campaigns::{Random, figures, poly, profiles};
 use proptest::prelude::*;
 
 /// A tangled outline in a box.
@@ -151,6 +152,22 @@ fn sixty_hostile_outlines_keep_every_promise() {
         Ending::Done(_) => {}
         ending => panic!("seed 3, number {i}: {ending:?}"),
     });
+}
+
+/// Outlines of the campaign where doubles end in the midst of a cavity: their faults were reported
+/// as such before they were known to be limited by precision.
+#[test]
+fn what_doubles_end_in_the_midst_of_is_limited_not_broken() {
+    for number in [3571, 5716, 6935] {
+        let drawn = profiles::draw(1, number, smallest_angle(&hostile(1, number)));
+        for steiner in [Steiner::OffCenter, Steiner::Circumcenter, Steiner::LookAhead] {
+            let parameters = Parameters { steiner, ..drawn };
+            let outline = profiles::prepared(hostile(1, number), &parameters);
+            if let Verdict::Failed(reasons) = judge(&outline, &parameters).verdict {
+                panic!("number {number}, {parameters:?}: {}", reasons.join("\n"));
+            }
+        }
+    }
 }
 
 #[test]
