@@ -33,6 +33,8 @@ pub struct SyntaxError {
     pub help: Option<Cow<'static, str>>,
     /// The whole line, with what is not UTF-8 replaced by `\u{fffd}`.
     pub text: Box<str>,
+    /// The byte, counted from zero: the place where a file is no text.
+    pub offset: usize,
 }
 
 /// What stands where something else was expected.
@@ -131,11 +133,12 @@ fn printable(c: char) -> char {
 
 /// Something in a file that was read otherwise than it stands there, or not at all.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{file}:{line}: {notice}")]
+#[error("{file}{}: {notice}", if *line == 0 { String::new() } else { format!(":{line}") })]
 pub struct Warning {
     /// The file, as the user named it.
     pub file: String,
-    /// The line (the first, of several), counted from one.
+    /// The line (the first, of several), counted from one; 0 where it is about the whole file, or
+    /// the file is no text.
     pub line: u32,
     /// What was done.
     pub notice: Notice,
@@ -208,6 +211,36 @@ pub enum Notice {
     #[error("section `${name}` is ignored")]
     SkippedSection {
         /// The section's name, without its `$`.
+        name: String,
+    },
+    /// Cells with nodes between their corners.
+    #[error(
+        "{cells} of second or higher order {} read by {} corners; {nodes} between them {} left out",
+        if *.cells == 1 { "is" } else { "are" },
+        if *.cells == 1 { "its" } else { "their" },
+        if *.nodes == 1 { "is" } else { "are" },
+        cells = counted(*.cells, "cell"),
+        nodes = counted(*.nodes, "node")
+    )]
+    HigherOrder {
+        /// How many cells.
+        cells: usize,
+        /// How many nodes that are no corner of any cell.
+        nodes: usize,
+    },
+    /// Data of what is no triangle.
+    #[error("data `{name}`: {} of what is no triangle {} left out",
+            counted(*.count, "value"), if *.count == 1 { "is" } else { "are" })]
+    DataLeftOut {
+        /// The name of the data.
+        name: String,
+        /// How many values, or tuples of values.
+        count: usize,
+    },
+    /// Data with the name of others: a further time step.
+    #[error("data `{name}` are there more than once; the first are kept")]
+    RepeatedData {
+        /// The name of the data.
         name: String,
     },
     /// Statements of a script that have no effect on a plane mesh.
@@ -311,6 +344,11 @@ pub enum Notice {
         /// How many.
         statements: u32,
     },
+}
+
+/// `1 node`, `2 nodes`.
+fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
 /// `0.4`, or `-0.000001 to 0.000002`.

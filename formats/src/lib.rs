@@ -10,11 +10,13 @@
 //! what became of the tags ([`groups::Note`]).
 
 pub mod area;
+mod assembly;
 mod attributes;
 mod digits;
 pub mod edge;
 pub mod ele;
 mod error;
+mod file_error;
 pub mod geo;
 pub mod gltf;
 pub mod groups;
@@ -22,6 +24,7 @@ mod mesh;
 pub mod msh;
 pub mod neigh;
 pub mod node;
+mod numbering;
 pub mod obj;
 pub mod poly;
 mod pslg;
@@ -30,5 +33,6 @@ mod text;
 pub mod vtu;
 
 pub use error::{Found, Notice, SyntaxError, Warning};
+pub use file_error::{ByteError, FileError};
 pub use mesh::{Data, Mesh, Provenance, Values};
 pub use pslg::{Attribute, Enclosed, Group, LocalArea, Membership, Pslg, Region, Source, Tag};

@@ -8,6 +8,7 @@
 use std::borrow::Cow;
 
 use crate::error::{Found, SyntaxError};
+use crate::file_error::{ByteError, FileError};
 
 /// A reader's place in a text file.
 pub(crate) struct Scanner<'a> {
@@ -20,6 +21,8 @@ pub(crate) struct Scanner<'a> {
     line_start: usize,
     /// What each byte is in this format.
     classes: [Class; 256],
+    /// Whether bytes that are no text have begun: lines mean nothing any more.
+    is_binary: bool,
 }
 
 /// What a byte is to a scanner.
@@ -53,7 +56,7 @@ impl<'a> Scanner<'a> {
         if let Some(byte) = comment {
             classes[usize::from(byte)] = Class::Comment;
         }
-        Self { file, text, position: start, line: 1, line_start: start, classes }
+        Self { file, text, position: start, line: 1, line_start: start, classes, is_binary: false }
     }
 
     /// A scanner of a format in which a `\` at the end of a line joins the next one to it.
@@ -67,9 +70,48 @@ impl<'a> Scanner<'a> {
         self.file
     }
 
-    /// The line of the word that is read next, counted from one.
+    /// The line of the word that is read next, counted from one; 0 where the file is no text.
     pub fn line(&self) -> u32 {
-        self.line
+        if self.is_binary { 0 } else { self.line }
+    }
+
+    /// Ends a line behind which bytes that are no text begin. False where something else stands in
+    /// it.
+    pub fn enter_bytes(&mut self) -> bool {
+        self.skip_blanks();
+        let is_end = self.class_at(self.position) == Some(Class::End);
+        if is_end {
+            self.end_line();
+        }
+        self.is_binary |= is_end;
+        is_end
+    }
+
+    /// The next bytes, white space or not.
+    pub fn bytes<const N: usize>(&mut self) -> Option<[u8; N]> {
+        let bytes = *self.unread().first_chunk()?;
+        self.position += N;
+        Some(bytes)
+    }
+
+    /// The byte that is read next, counted from zero.
+    pub fn offset(&self) -> usize {
+        self.position
+    }
+
+    /// The place of the next word of this line.
+    pub fn next_place(&mut self) -> usize {
+        self.skip_blanks();
+        self.position
+    }
+
+    /// An error as the file's kind has it: by line in text, else by byte.
+    pub fn placed(&self, error: SyntaxError) -> FileError {
+        if self.is_binary {
+            FileError::Binary(ByteError::from(error))
+        } else {
+            FileError::Text(error)
+        }
     }
 
     /// How many bytes are left: the bound on what an announced count may reserve.
@@ -131,6 +173,45 @@ impl<'a> Scanner<'a> {
         }
         let word = again.first_word_of_line();
         again.unexpected(word, expected)
+    }
+
+    /// The error that the word at a place that was read before is not what it should be.
+    pub fn unexpected_at(
+        &self,
+        place: usize,
+        expected: impl Into<Cow<'static, str>>,
+    ) -> SyntaxError {
+        let mut again = self.at(place);
+        match again.word() {
+            Some(word) => again.unexpected(word, expected),
+            None => again.missing(expected),
+        }
+    }
+
+    /// The error that the number that was read at a place is not what it should be.
+    pub fn unexpected_number(
+        &self,
+        place: usize,
+        expected: impl Into<Cow<'static, str>>,
+        number: impl ToString,
+    ) -> SyntaxError {
+        if self.is_binary {
+            let found = Found::Word(number.to_string());
+            return self.error(place, self.line, self.line_start, expected.into(), found);
+        }
+        self.unexpected_at(place, expected)
+    }
+
+    /// This scanner at a place that was read before.
+    fn at(&self, place: usize) -> Self {
+        let start = self.first_byte();
+        if self.is_binary {
+            return Self { position: place, ..*self };
+        }
+        let before = &self.text[start..place];
+        let end = before.iter().rposition(|&b| b == b'\n' || b == b'\r');
+        let line_start = end.map_or(start, |end| start + end + 1);
+        Self { position: place, line: 1 + count_breaks(before), line_start, ..*self }
     }
 
     /// The first word of this line, once more.
@@ -229,6 +310,11 @@ impl<'a> Scanner<'a> {
 
     /// The error that the line, or the file, ends where something should stand.
     pub fn missing(&self, expected: impl Into<Cow<'static, str>>) -> SyntaxError {
+        if self.is_binary {
+            let end = self.position >= self.text.len();
+            let found = if end { Found::EndOfFile } else { Found::EndOfLine };
+            return self.error(self.position, 0, 0, expected.into(), found);
+        }
         if self.position < self.text.len() {
             let end = trimmed_end(self.text, self.line_start, self.position);
             return self.error(end, self.line, self.line_start, expected.into(), Found::EndOfLine);
@@ -244,6 +330,20 @@ impl<'a> Scanner<'a> {
         self.error(end, line, start.max(self.first_byte()), expected.into(), Found::EndOfFile)
     }
 
+    /// The error that the next word of this line is not what it should be.
+    pub fn unexpected_here(&mut self, expected: impl Into<Cow<'static, str>>) -> SyntaxError {
+        match self.word() {
+            Some(word) => self.unexpected(word, expected),
+            None => self.missing(expected),
+        }
+    }
+
+    /// The error that the file ends within what should stand here.
+    pub fn too_short(&self, expected: impl Into<Cow<'static, str>>) -> SyntaxError {
+        let place = (self.position, self.line, self.line_start);
+        self.error(place.0, place.1, place.2, expected.into(), Found::EndOfFile)
+    }
+
     fn first_byte(&self) -> usize {
         if self.text.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 }
     }
@@ -256,6 +356,11 @@ impl<'a> Scanner<'a> {
         expected: Cow<'static, str>,
         found: Found,
     ) -> SyntaxError {
+        if self.is_binary {
+            let (file, text) = (self.file.into(), "".into());
+            let (line, column, help) = (0, 0, None);
+            return SyntaxError { file, line, column, expected, found, help, text, offset: at };
+        }
         let rest = &self.text[line_start..];
         let end = rest.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(rest.len());
         let before = String::from_utf8_lossy(&self.text[line_start..at]);
@@ -267,6 +372,7 @@ impl<'a> Scanner<'a> {
             found,
             help: binary_help(self.text, &rest[..end]),
             text: String::from_utf8_lossy(&rest[..end]).into(),
+            offset: at,
         }
     }
 
@@ -337,12 +443,16 @@ fn count_breaks(text: &[u8]) -> u32 {
 
 /// The finite number that a whole word is: decimal, with `e` or Fortran's `d` before the exponent.
 pub(crate) fn parse_real(word: &[u8]) -> Option<f64> {
-    let value = match fast_float2::parse::<f64, _>(word) {
-        Ok(value) => value,
-        Err(_) => parse_fortran(word)?,
-    };
     // `inf`, `nan` and 1e400 are numbers to the parser; no coordinate can be one.
-    value.is_finite().then_some(value)
+    parse_any_real(word).filter(|value| value.is_finite())
+}
+
+/// The number that a whole word is, infinite and no number (`nan`) included.
+pub(crate) fn parse_any_real(word: &[u8]) -> Option<f64> {
+    match fast_float2::parse::<f64, _>(word) {
+        Ok(value) => Some(value),
+        Err(_) => parse_fortran(word),
+    }
 }
 
 fn parse_fortran(word: &[u8]) -> Option<f64> {

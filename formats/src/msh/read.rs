@@ -1,36 +1,45 @@
-//! Reading `.msh`.
+//! Reading `.msh`: its format and its sections.
 //!
 //! ```text
-//! msh      := format section*
-//! format   := $MeshFormat <2, 2.1 or 2.2> <0: text> <size of a double> $EndMeshFormat
-//! section  := names | nodes | elements | other
-//! names    := $PhysicalNames <count> name* $EndPhysicalNames
-//! name     := <dimension> <number> "<name>"
-//! nodes    := $Nodes <count> node* $EndNodes
-//! node     := <number> <x> <y> <z>
-//! elements := $Elements <count> element* $EndElements
-//! element  := <number> <type> <number of tags> <tag>* <node>*
-//! other    := $<word> … $End<word>, ignored with a warning
+//! msh     := format section*
+//! format  := $MeshFormat <version> <0: text, 1: binary> <size of a double> [one] $EndMeshFormat
+//! one     := <the number 1 in four bytes: only where binary, tells the order of bytes>
+//! section := names | entities | nodes | elements | data | other
+//! names   := $PhysicalNames <count> name* $EndPhysicalNames
+//! name    := <dimension> <number> "<name>"
+//! other   := $<word> … $End<word>, ignored with a warning
 //! ```
 //!
-//! Each on a line of its own. Of the tags the first, the physical number, is taken. Elements are
-//! lines, triangles and points; binary files and other elements are refused.
+//! Each on a line of its own. Binary files hold the same sections, their names in text, their
+//! numbers in bytes. Nodes, elements and entities: [`version2`], [`version4`]; data: [`data`].
 
+mod data;
+mod entities;
+mod source;
+mod version2;
+mod version4;
+
+use self::data::Place;
+use self::entities::Entities;
+use self::source::{Binary, Source, Text};
+use crate::assembly::{Assembly, Shape};
 use crate::error::{Notice, SyntaxError, Warning};
+use crate::file_error::FileError;
 use crate::mesh::Mesh;
-use crate::node::{MOST, reserved};
-use crate::pslg::{Group, Membership, Tag};
-use crate::text::{Scanner, parse_integer};
+use crate::node::MOST;
+use crate::numbering::Numbering;
+use crate::pslg::{Group, Tag};
+use crate::text::Scanner;
 
-/// Reads the text of a `.msh` file of version 2, written by any program.
+/// Reads a `.msh` file of version 2 or 4.1, text or binary, written by any program.
 ///
 /// `file` is the name that messages use. Physical numbers become tags, as they stand in the file;
-/// triangles keep their orientation. A point in a group, and an edge that is there once more for a
-/// second group, become [memberships](crate::Membership). Nodes may be numbered in any way, and lie
-/// in one plane z = constant.
+/// triangles keep their orientation. A point in a group, and a second group of an edge, become
+/// [memberships](crate::Membership). Nodes may be numbered in any way, and lie in one plane
+/// z = constant. Of curved lines and triangles the corners are taken, with a warning.
 ///
 /// # Errors
-/// The first word that cannot be read.
+/// The first word, or the first bytes, that cannot be read.
 ///
 /// ```
 /// use meshwright_formats::{Mesh, msh};
@@ -48,98 +57,136 @@ use crate::text::{Scanner, parse_integer};
 /// assert!(warnings.is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn read(text: &[u8], file: &str) -> Result<(Mesh, Vec<Warning>), SyntaxError> {
-    let mut scanner = Scanner::new(text, file, None);
+pub fn read(bytes: &[u8], file: &str) -> Result<(Mesh, Vec<Warning>), FileError> {
+    let mut scanner = Scanner::new(bytes, file, None);
+    match parse(&mut scanner) {
+        Ok(reader) => Ok(reader.assembly.finish(file)),
+        Err(error) => Err(scanner.placed(error)),
+    }
+}
+
+fn parse(scanner: &mut Scanner) -> Result<Reader, SyntaxError> {
+    let format = Format::read(scanner)?;
     let mut reader = Reader::default();
-    format(&mut scanner)?;
     while scanner.next_line() {
-        reader.section(&mut scanner)?;
+        match format.is_binary {
+            false => reader.section(&mut Text::new(scanner), format)?,
+            true => reader.section(&mut Binary::new(scanner, format.is_big_endian), format)?,
+        }
     }
     if reader.nodes.is_none() {
         return Err(scanner.missing("section $Nodes"));
     }
-    if !reader.has_elements {
+    if reader.elements.is_none() {
         return Err(scanner.missing("section $Elements"));
     }
-    fold_repeated_edges(&mut reader.mesh);
-    Ok((reader.mesh, reader.warnings))
+    Ok(reader)
 }
 
-/// Leaves each edge once: where it is there again with another number, that is a further group.
-fn fold_repeated_edges(mesh: &mut Mesh) {
-    let ends = |edge: &u32| {
-        let [a, b] = mesh.edges[*edge as usize];
-        [a.min(b), a.max(b)]
-    };
-    let mut order: Vec<u32> = (0..mesh.edges.len() as u32).collect();
-    order.sort_unstable_by_key(|edge| (ends(edge), *edge));
-    let mut repeated = Vec::new();
-    for same in order.chunk_by(|a, b| ends(a) == ends(b)) {
-        repeated.extend(same[1..].iter().map(|&again| (again, same[0])));
-    }
-    if repeated.is_empty() {
-        return;
-    }
-    repeated.sort_unstable();
-    for &(again, first) in &repeated {
-        let tag = mesh.edge_tags[again as usize];
-        if tag != mesh.edge_tags[first as usize] {
-            // What lies before it among the edges that go moves it down.
-            let item = first - repeated.partition_point(|&(edge, _)| edge < first) as u32;
-            mesh.memberships.push(Membership { dim: 1, item, tag });
+/// What the section `$MeshFormat` tells.
+#[derive(Clone, Copy)]
+struct Format {
+    /// 2 or 4.
+    version: u8,
+    is_binary: bool,
+    is_big_endian: bool,
+}
+
+impl Format {
+    fn read(scanner: &mut Scanner) -> Result<Self, SyntaxError> {
+        scanner.next_line();
+        keyword(scanner, "$MeshFormat")?;
+        scanner.next_line();
+        let what = "version 2.2 or 4.1";
+        let Some(word) = scanner.word() else { return Err(scanner.missing(what)) };
+        let version = match word.bytes {
+            b"2" | b"2.0" | b"2.1" | b"2.2" => 2,
+            b"4.1" => 4,
+            _ => {
+                let mut error = scanner.unexpected(word, what);
+                let help = "`gmsh in.msh -save -format msh22 -o out.msh` converts it";
+                error.help = Some(help.into());
+                return Err(error);
+            }
+        };
+        let is_binary = scanner.integer("file type 0 (text) or 1 (binary)", 0, 1)? == 1;
+        scanner.integer("the size of a double, 8", 8, 8)?;
+        let is_big_endian = is_binary && is_big_endian(scanner)?;
+        if !is_binary {
+            end_of_line(scanner)?;
         }
+        end(scanner, "$EndMeshFormat")?;
+        Ok(Self { version, is_binary, is_big_endian })
     }
-    let goes = |edge: usize| repeated.binary_search_by_key(&(edge as u32), |&(e, _)| e).is_ok();
-    let kept: Vec<usize> = (0..mesh.edges.len()).filter(|&edge| !goes(edge)).collect();
-    mesh.edges = kept.iter().map(|&edge| mesh.edges[edge]).collect();
-    mesh.edge_tags = kept.iter().map(|&edge| mesh.edge_tags[edge]).collect();
+}
+
+/// Whether the highest byte of the number 1, which stands in the next line, comes first.
+fn is_big_endian(scanner: &mut Scanner) -> Result<bool, SyntaxError> {
+    if !scanner.enter_bytes() {
+        return end_of_line(scanner).map(|()| false);
+    }
+    let (what, place) = ("the number 1 in 4 bytes", scanner.offset());
+    let Some(bytes) = scanner.bytes::<4>() else { return Err(scanner.too_short(what)) };
+    match (i32::from_le_bytes(bytes), i32::from_be_bytes(bytes)) {
+        (1, _) => Ok(false),
+        (_, 1) => Ok(true),
+        (number, _) => Err(scanner.unexpected_number(place, what, number)),
+    }
 }
 
 #[derive(Default)]
 struct Reader {
-    mesh: Mesh,
-    nodes: Option<Nodes>,
-    has_elements: bool,
-    warnings: Vec<Warning>,
+    assembly: Assembly,
+    entities: Option<Entities>,
+    nodes: Option<Numbering>,
+    elements: Option<Elements>,
 }
 
-fn format(scanner: &mut Scanner) -> Result<(), SyntaxError> {
-    scanner.next_line();
-    keyword(scanner, "$MeshFormat").map_err(|mut error| {
-        error.help.get_or_insert("only Gmsh's version 2 is read, as text".into());
-        error
-    })?;
-    scanner.next_line();
-    let what = "version 2.2";
-    let Some(version) = scanner.word() else { return Err(scanner.missing(what)) };
-    if !matches!(version.bytes, b"2" | b"2.0" | b"2.1" | b"2.2") {
-        let mut error = scanner.unexpected(version, what);
-        error.help = Some("`gmsh in.msh -save -format msh22 -o out.msh` converts it".into());
-        return Err(error);
-    }
-    scanner.integer("file type 0 (text)", 0, 0)?;
-    scanner.integer("the size of a double, 8", 8, 8)?;
-    end_of_line(scanner)?;
-    end(scanner, "$EndMeshFormat")
+/// The elements by their numbers.
+#[derive(Default)]
+struct Elements {
+    numbers: Numbering,
+    /// The index of the triangle that each element is, or [`Elements::OTHER`].
+    triangles: Vec<u32>,
+}
+
+impl Elements {
+    const OTHER: u32 = u32::MAX;
 }
 
 impl Reader {
-    fn section(&mut self, scanner: &mut Scanner) -> Result<(), SyntaxError> {
+    fn section<'a>(
+        &mut self,
+        source: &mut impl Source<'a>,
+        format: Format,
+    ) -> Result<(), SyntaxError> {
+        let scanner = source.scanner();
         let line = scanner.line();
         let Some(word) = scanner.word() else { return Ok(()) };
         match word.bytes {
             b"$PhysicalNames" => self.names(scanner),
+            b"$Entities" | b"$PartitionedEntities" if format.version == 4 => {
+                let is_partitioned = word.bytes == b"$PartitionedEntities";
+                let entities = self.entities.get_or_insert_default();
+                entities.read(source, is_partitioned)
+            }
             b"$Nodes" if self.nodes.is_some() => {
                 Err(scanner.unexpected(word, "one section $Nodes"))
             }
-            b"$Nodes" => self.nodes(scanner),
+            b"$Nodes" if format.version == 4 => version4::nodes(self, source),
+            b"$Nodes" => version2::nodes(self, source),
             b"$Elements" if self.nodes.is_none() => {
                 Err(scanner.unexpected(word, "section $Nodes before the elements"))
             }
-            b"$Elements" if self.has_elements => {
+            b"$Elements" if self.elements.is_some() => {
                 Err(scanner.unexpected(word, "one section $Elements"))
             }
-            b"$Elements" => self.elements(scanner),
+            b"$Elements" if format.version == 4 => version4::elements(self, source),
+            b"$Elements" => version2::elements(self, source, format.is_binary),
+            b"$NodeData" if self.nodes.is_some() => data::read(self, source, Place::Nodes, line),
+            b"$ElementData" if self.elements.is_some() => {
+                data::read(self, source, Place::Elements, line)
+            }
             [b'$', name @ ..] if !name.is_empty() => self.skip(scanner, name, line),
             _ => Err(scanner.unexpected(word, "a section, `$` and its name")),
         }
@@ -151,91 +198,10 @@ impl Reader {
             item(scanner, "name", index, count)?;
             let dim = scanner.integer("the dimension of a group (0 to 3)", 0, 3)? as u8;
             let tag = tag(scanner, "the number of a group")?;
-            let rest = scanner.rest();
-            let quoted = rest.bytes.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
-            let Some(name) = quoted.and_then(|name| std::str::from_utf8(name).ok()) else {
-                return Err(scanner.unexpected(rest, "a name between double quotes"));
-            };
-            self.mesh.groups.push(Group { dim, tag, name: name.to_owned() });
+            let name = quoted(scanner, "a name between double quotes")?;
+            self.assembly.mesh.groups.push(Group { dim, tag, name });
         }
         end(scanner, "$EndPhysicalNames")
-    }
-
-    fn nodes(&mut self, scanner: &mut Scanner) -> Result<(), SyntaxError> {
-        let count = count(scanner, "the number of nodes")?;
-        // The shortest node, `1 0 0 0` and a line end, has eight bytes.
-        self.mesh.points.reserve(reserved(count, scanner.left(), 8));
-        let mut nodes = Nodes::default();
-        let mut plane = None;
-        let mut first = 0;
-        for index in 0..count {
-            item(scanner, "node", index, count)?;
-            if index == 0 {
-                first = scanner.line();
-            }
-            nodes.push(scanner)?;
-            let x = scanner.real("an x coordinate")?;
-            let y = scanner.real("a y coordinate")?;
-            same_plane(scanner, &mut plane)?;
-            self.mesh.points.push([x, y]);
-            end_of_line(scanner)?;
-        }
-        nodes.sort(scanner)?;
-        if let Some(z) = plane.filter(|&z| z != 0.0) {
-            self.warn(scanner, first, Notice::Plane { z });
-        }
-        self.nodes = Some(nodes);
-        end(scanner, "$EndNodes")
-    }
-
-    fn elements(&mut self, scanner: &mut Scanner) -> Result<(), SyntaxError> {
-        let count = count(scanner, "the number of elements")?;
-        for index in 0..count {
-            item(scanner, "element", index, count)?;
-            self.element(scanner)?;
-            end_of_line(scanner)?;
-        }
-        self.has_elements = true;
-        end(scanner, "$EndElements")
-    }
-
-    fn element(&mut self, scanner: &mut Scanner) -> Result<(), SyntaxError> {
-        scanner.integer("the number of an element", i64::MIN, i64::MAX)?;
-        let what = "an element's type: 1 (line), 2 (triangle) or 15 (point)";
-        let Some(kind) = scanner.word() else { return Err(scanner.missing(what)) };
-        match kind.bytes {
-            b"1" => {
-                self.mesh.edge_tags.push(physical(scanner)?);
-                self.mesh.edges.push([self.node(scanner)?, self.node(scanner)?]);
-            }
-            b"2" => {
-                self.mesh.triangle_tags.push(physical(scanner)?);
-                let corners = [self.node(scanner)?, self.node(scanner)?, self.node(scanner)?];
-                self.mesh.triangles.push(corners);
-            }
-            b"15" => {
-                let tag = physical(scanner)?;
-                let point = self.node(scanner)?;
-                if tag != 0 {
-                    self.mesh.memberships.push(Membership { dim: 0, item: point, tag });
-                }
-            }
-            _ => {
-                let mut error = scanner.unexpected(kind, what);
-                error.help = element_name(kind.bytes);
-                return Err(error);
-            }
-        }
-        Ok(())
-    }
-
-    /// The (zero-based) index of the node whose number is the next word.
-    fn node(&self, scanner: &mut Scanner) -> Result<u32, SyntaxError> {
-        let what = "the number of a node";
-        let Some(word) = scanner.word() else { return Err(scanner.missing(what)) };
-        let nodes = self.nodes.as_ref();
-        let index = parse_integer(word.bytes).and_then(|number| nodes?.index(number));
-        index.ok_or_else(|| scanner.unexpected(word, what))
     }
 
     fn skip(&mut self, scanner: &mut Scanner, name: &[u8], line: u32) -> Result<(), SyntaxError> {
@@ -251,89 +217,124 @@ impl Reader {
             }
         }
         if name != "Comments" {
-            self.warn(scanner, line, Notice::SkippedSection { name });
+            let file = scanner.file();
+            self.assembly.warn(file, line, Notice::SkippedSection { name });
         }
         end_of_line(scanner)
     }
 
-    fn warn(&mut self, scanner: &Scanner, line: u32, notice: Notice) {
-        self.warnings.push(Warning { file: scanner.file().to_owned(), line, notice });
-    }
-}
-
-/// From the numbers of the nodes to their indices.
-#[derive(Default)]
-struct Nodes {
-    /// How many nodes there are.
-    count: u32,
-    /// Number, index and line of each node, by number; empty while they count up from 1.
-    table: Vec<(i64, u32, u32)>,
-}
-
-impl Nodes {
-    fn push(&mut self, scanner: &mut Scanner) -> Result<(), SyntaxError> {
-        let number = scanner.integer("the number of a node", 1, i64::MAX)?;
-        let line = scanner.line();
-        if self.table.is_empty() && number != i64::from(self.count) + 1 {
-            // Lines of nodes that counted up need not be known: only a later node can repeat
-            // their numbers, and it is the one to name.
-            self.table = (0..self.count).map(|i| (i64::from(i) + 1, i, 0)).collect();
-            self.table.push((number, self.count, line));
-        } else if !self.table.is_empty() {
-            self.table.push((number, self.count, line));
+    /// Reads the coordinates of a node.
+    fn coordinates<'a>(&mut self, source: &mut impl Source<'a>) -> Result<(), SyntaxError> {
+        let x = source.real("an x coordinate")?;
+        let y = source.real("a y coordinate")?;
+        let z = source.real("a z coordinate")?;
+        if let Err(first) = self.assembly.same_plane(z) {
+            let mut error = source.wrong(format!("z = {first}, as in the first node"));
+            error.help = Some("meshes are planar: all nodes have the same z".into());
+            return Err(error);
         }
-        self.count += 1;
+        self.assembly.mesh.points.push([x, y]);
         Ok(())
     }
 
-    fn sort(&mut self, scanner: &Scanner) -> Result<(), SyntaxError> {
-        self.table.sort_unstable();
-        let twice = self.table.windows(2).find(|pair| pair[0].0 == pair[1].0);
-        match twice {
-            Some(pair) => Err(scanner.unexpected_in_line(pair[1].2, "a node with a new number")),
-            None => Ok(()),
-        }
+    /// The (zero-based) index of the node whose number is read.
+    fn node<'a>(&self, number: i64, source: &impl Source<'a>) -> Result<u32, SyntaxError> {
+        let index = self.nodes.as_ref().and_then(|nodes| nodes.index(number));
+        index.ok_or_else(|| source.wrong("the number of a node"))
     }
 
-    fn index(&self, number: i64) -> Option<u32> {
-        if self.table.is_empty() {
-            return u32::try_from(number - 1).ok().filter(|&index| index < self.count);
-        }
-        let place = self.table.binary_search_by_key(&number, |entry| entry.0).ok()?;
-        Some(self.table[place].1)
+    /// Takes an element of a shape; answers what it is among those of its shape.
+    fn element(&mut self, elements: &mut Elements, shape: Shape, nodes: &[u32], tag: Tag) {
+        let triangle = self.assembly.mesh.triangles.len() as u32;
+        self.assembly.push(shape, nodes, tag);
+        let is_triangle = shape == Shape::Triangle;
+        elements.triangles.push(if is_triangle { triangle } else { Elements::OTHER });
+    }
+
+    fn end_elements<'a>(
+        &mut self,
+        source: &mut impl Source<'a>,
+        mut elements: Elements,
+    ) -> Result<(), SyntaxError> {
+        let scanner = source.scanner();
+        elements.numbers.sort(scanner, "an element with a new number")?;
+        self.elements = Some(elements);
+        end(scanner, "$EndElements")
+    }
+
+    fn end_nodes<'a>(
+        &mut self,
+        source: &mut impl Source<'a>,
+        mut nodes: Numbering,
+        line: u32,
+    ) -> Result<(), SyntaxError> {
+        let scanner = source.scanner();
+        nodes.sort(scanner, "a node with a new number")?;
+        self.assembly.warn_of_plane(scanner.file(), line);
+        self.nodes = Some(nodes);
+        end(scanner, "$EndNodes")
     }
 }
 
-/// Reads z, which is the same for all nodes.
-fn same_plane(scanner: &mut Scanner, plane: &mut Option<f64>) -> Result<(), SyntaxError> {
-    let what = "a z coordinate";
-    let Some(word) = scanner.word() else { return Err(scanner.missing(what)) };
-    let z = scanner.real_in(word, what)?;
-    let first = *plane.get_or_insert(z);
-    if z == first {
-        return Ok(());
-    }
-    let mut error = scanner.unexpected(word, format!("z = {first}, as in the first node"));
-    error.help = Some("meshes are planar: all nodes have the same z".into());
-    Err(error)
+/// What an element type is: its shape, and how many nodes it has, corners first.
+fn shape<'a>(source: &impl Source<'a>, kind: i64) -> Result<(Shape, usize), SyntaxError> {
+    Ok(match kind {
+        15 => (Shape::Point, 1),
+        1 => (Shape::Edge, 2),
+        8 => (Shape::Edge, 3),
+        26 => (Shape::Edge, 4),
+        27 => (Shape::Edge, 5),
+        28 => (Shape::Edge, 6),
+        2 => (Shape::Triangle, 3),
+        9 => (Shape::Triangle, 6),
+        20 => (Shape::Triangle, 9),
+        21 => (Shape::Triangle, 10),
+        22 => (Shape::Triangle, 12),
+        23 | 24 => (Shape::Triangle, 15),
+        25 => (Shape::Triangle, 21),
+        _ => {
+            let what = "an element's type: 1 (line), 2 (triangle) or 15 (point)";
+            let mut error = source.wrong(what);
+            error.help = element_name(kind).map(|name| {
+                format!("it is {name}; only points, lines and triangles are read").into()
+            });
+            return Err(error);
+        }
+    })
 }
 
-/// The physical number of an element: the first of its tags, 0 where there is none.
-fn physical(scanner: &mut Scanner) -> Result<Tag, SyntaxError> {
-    // Gmsh adds the partitions to the tags; more than a few are no tags any more.
-    let count = scanner.integer("the number of tags (0 to 1000)", 0, 1000)?;
-    let mut physical = 0;
-    for index in 0..count {
-        let value = tag(scanner, "a tag")?;
-        if index == 0 {
-            physical = value;
-        }
-    }
-    Ok(physical)
+/// What the manual calls an element that has no place in a mesh of triangles.
+fn element_name(kind: i64) -> Option<&'static str> {
+    Some(match kind {
+        3 => "a quadrangle",
+        4 => "a tetrahedron",
+        5 => "a hexahedron",
+        6 => "a prism",
+        7 => "a pyramid",
+        10 | 16 => "a second order quadrangle",
+        11 => "a second order tetrahedron",
+        12 | 17 => "a second order hexahedron",
+        _ => return None,
+    })
 }
 
 fn tag(scanner: &mut Scanner, what: &'static str) -> Result<Tag, SyntaxError> {
     Ok(scanner.integer(what, i64::from(Tag::MIN), i64::from(Tag::MAX))? as Tag)
+}
+
+/// The text between double quotes that is the rest of this line.
+fn quoted(scanner: &mut Scanner, what: &'static str) -> Result<String, SyntaxError> {
+    let rest = scanner.rest();
+    let text = rest.bytes.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
+    match text.map(std::str::from_utf8) {
+        Some(Ok(text)) => Ok(text.to_owned()),
+        Some(Err(_)) => {
+            let mut error = scanner.unexpected(rest, what);
+            error.help = Some("its bytes are no UTF-8".into());
+            Err(error)
+        }
+        None => Err(scanner.unexpected(rest, what)),
+    }
 }
 
 /// The number of items of a section, alone in its line.
@@ -373,21 +374,4 @@ fn end_of_line(scanner: &mut Scanner) -> Result<(), SyntaxError> {
         Some(word) => Err(scanner.unexpected(word, "the end of the line")),
         None => Ok(()),
     }
-}
-
-/// What the manual calls an element that has no place in a mesh of straight triangles.
-fn element_name(kind: &[u8]) -> Option<std::borrow::Cow<'static, str>> {
-    let name = match kind {
-        b"3" => "a quadrangle",
-        b"4" => "a tetrahedron",
-        b"5" => "a hexahedron",
-        b"6" => "a prism",
-        b"7" => "a pyramid",
-        b"8" => "a second order line",
-        b"9" => "a second order triangle",
-        b"10" | b"16" => "a second order quadrangle",
-        b"11" => "a second order tetrahedron",
-        _ => return None,
-    };
-    Some(format!("it is {name}; only straight lines and triangles are read").into())
 }

@@ -1,5 +1,7 @@
 //! What `.msh` files of other programs look like, and what is refused.
 
+mod binary;
+
 use super::read;
 use crate::error::Warning;
 use crate::mesh::Mesh;
@@ -86,11 +88,11 @@ fn orientation_is_kept() {
 fn other_sections_are_skipped_and_said() {
     let text = elements("1 2 2 7 7 1 2 3\n");
     let comments = "$Comments\nabc $Nodes\n$EndComments\n";
-    let data = "$NodeData\n1\n\"x\"\n$EndNodeData\n";
+    let data = "$Periodic\n1\n$EndPeriodic\n";
     let (mesh, warnings) =
         good(&format!("{}{data}", text.replace("$Nodes", &format!("{comments}$Nodes"))));
     assert_eq!(mesh.triangles.len(), 1);
-    assert_eq!(warnings, ["a.msh:17: section `$NodeData` is ignored"]);
+    assert_eq!(warnings, ["a.msh:17: section `$Periodic` is ignored"]);
 }
 
 #[test]
@@ -98,8 +100,11 @@ fn errors_name_their_word() {
     let expected = [
         (String::new(), "1:1: expected $MeshFormat, found the end of the file"),
         ("$NOD\n3\n".into(), "1:1: expected $MeshFormat, found `$NOD`"),
-        ("$MeshFormat\n4.1 0 8\n".into(), "2:1: expected version 2.2, found `4.1`"),
-        ("$MeshFormat\n2.2 1 8\n".into(), "2:5: expected file type 0 (text), found `1`"),
+        ("$MeshFormat\n4 0 8\n".into(), "2:1: expected version 2.2 or 4.1, found `4`"),
+        (
+            "$MeshFormat\n2.2 2 8\n".into(),
+            "2:5: expected file type 0 (text) or 1 (binary), found `2`",
+        ),
         (HEAD.into(), "3:15: expected section $Nodes, found the end of the file"),
         (format!("{HEAD}{NODES}"), "9:10: expected section $Elements, found the end of the file"),
         (
