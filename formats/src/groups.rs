@@ -138,6 +138,11 @@ pub enum Note {
         /// The name of the data.
         name: String,
     },
+    /// Whole numbers of data that a real number does not hold to the last digit.
+    DataRounded {
+        /// The name of the data.
+        name: String,
+    },
     /// Target sizes of points, which the file does not hold.
     SizesDropped,
     /// What the format has no place for.
@@ -200,6 +205,9 @@ impl Display for Note {
             }
             Self::DataDropped { name } => {
                 write!(f, "the data `{name}` are not written: an attribute is one real number")
+            }
+            Self::DataRounded { name } => {
+                write!(f, "some of the data `{name}` are rounded: whole numbers above 2^53")
             }
             Self::SizesDropped => write!(f, "the target sizes of points are not written"),
             Self::NotHeld { count: 1, noun } => {

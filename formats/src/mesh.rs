@@ -84,3 +84,16 @@ pub enum Values {
     /// Whole numbers.
     Integer(Vec<i64>),
 }
+
+impl Values {
+    /// Whether real numbers hold all of them to the last digit.
+    pub(crate) fn are_real_numbers(&self) -> bool {
+        const LARGEST: u64 = 1 << 53;
+        match self {
+            Self::Real(_) => true,
+            Self::Integer(values) => values.iter().all(|value| {
+                value.unsigned_abs() <= LARGEST || (*value as f64) as i128 == i128::from(*value)
+            }),
+        }
+    }
+}

@@ -52,12 +52,18 @@ impl<'a, W: Write> Rows<'a, W> {
         self.hand_on()
     }
 
+    /// Bytes as they are: numbers of a binary file.
+    pub fn bytes(&mut self, bytes: &[u8]) {
+        self.buffer.extend_from_slice(bytes);
+    }
+
     /// Hands the rest on.
     pub fn finish(self) -> io::Result<()> {
         self.out.write_all(&self.buffer)
     }
 
-    fn hand_on(&mut self) -> io::Result<()> {
+    /// Hands bytes on, if there are enough of them.
+    pub fn hand_on(&mut self) -> io::Result<()> {
         if self.buffer.len() >= BLOCK {
             self.out.write_all(&self.buffer)?;
             self.buffer.clear();

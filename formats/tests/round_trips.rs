@@ -24,7 +24,8 @@ fn through_msh(mesh: &Mesh, options: msh::Options) -> Mesh {
     let mut text = Vec::new();
     msh::write_with(mesh, options, &mut text).expect("memory takes all");
     let (read, warnings) = msh::read(&text, "mesh.msh").unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(warnings, []);
+    let expected = mesh.point_data.len() + mesh.triangle_data.len(); // sections of data are not read
+    assert_eq!(warnings.len(), expected);
     read
 }
 
@@ -82,7 +83,7 @@ proptest! {
     #[test]
     fn msh_holds_points_cells_and_groups(mesh in common::mesh(), unique_ids: bool) {
         prop_assume!(distinct_names(&mesh.groups));
-        let read = through_msh(&mesh, msh::Options { unique_ids });
+        let read = through_msh(&mesh, msh::Options { unique_ids, ..msh::Options::default() });
         prop_assert_eq!(bits(&read.points), bits(&mesh.points));
         prop_assert_eq!(&read.triangles, &mesh.triangles);
         prop_assert_eq!(&read.edges, &mesh.edges);
@@ -97,7 +98,7 @@ proptest! {
     #[test]
     fn tags_that_differ_still_differ_in_msh(mesh in common::mesh(), unique_ids: bool) {
         prop_assume!(distinct_names(&mesh.groups));
-        let read = through_msh(&mesh, msh::Options { unique_ids });
+        let read = through_msh(&mesh, msh::Options { unique_ids, ..msh::Options::default() });
         for (&user, _) in mesh.edge_tags.iter().zip(&read.edge_tags) {
             for (&other, &file) in mesh.edge_tags.iter().zip(&read.edge_tags) {
                 let agree = groups::agree(1, (user, &mesh.groups), (file, &read.groups));
@@ -108,7 +109,7 @@ proptest! {
 
     #[test]
     fn every_number_in_msh_is_positive_and_has_a_name(mesh in common::mesh(), unique_ids: bool) {
-        let read = through_msh(&mesh, msh::Options { unique_ids });
+        let read = through_msh(&mesh, msh::Options { unique_ids, ..msh::Options::default() });
         let cells = read.edge_tags.iter().map(|&tag| (1, tag));
         for (dim, tag) in cells.chain(read.triangle_tags.iter().map(|&tag| (2, tag))) {
             prop_assert!(tag > 0);

@@ -1,27 +1,53 @@
 //! Writing `.msh`: what every consumer takes.
 //!
-//! The version is exactly `2.2`, every element has exactly two tags (physical, elementary) and
-//! every physical number has a name; there is no `$Comments` section. Nodes are numbered 1 to N,
-//! z is 0. Lines come before triangles.
+//! Every element has exactly two tags (physical, elementary) and every physical number has a name;
+//! there is no `$Comments` section. Nodes are numbered 1 to N as in the mesh, z is 0. Elements are
+//! numbered from 1, edges first, triangles last. Data stand at the end of the file.
+
+mod data;
+mod entities;
+mod scribe;
+#[cfg(test)]
+mod tests;
+mod version_2;
+mod version_4;
 
 use std::io::{self, Write};
 
 use crate::groups::{Note, Rules, Table};
 use crate::mesh::Mesh;
-use crate::rows::{Rows, one_based};
+use crate::nodes::{Nodes, Order};
+use scribe::Scribe;
 
 /// What may be asked of a `.msh` file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Options {
+    /// The version of the format.
+    pub version: Version,
+    /// Numbers as bytes (little endian), not as text: smaller and faster, and fewer programs read
+    /// it.
+    pub binary: bool,
+    /// How many nodes an element has.
+    pub order: Order,
     /// Renumber the groups so that no number serves a boundary and a region: regions 1, 2, …,
     /// then boundaries.
     pub unique_ids: bool,
 }
 
-/// Writes a mesh, and says what became of its tags.
+/// A version of the format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Version {
+    /// 2.2, which every program tried reads.
+    #[default]
+    V2_2,
+    /// 4.1, Gmsh's own since 2019: it has entities, so an edge in several groups stands there once.
+    V4_1,
+}
+
+/// Writes a mesh as 2.2 text, and says what became of its tags.
 ///
-/// Numbers below 1 are not allowed there: such tags are mapped, and the notes say how. Provenance,
-/// markers and data of points are not written.
+/// Numbers below 1 are not allowed there: such tags are mapped, and the notes say how. Provenance
+/// and markers of points are not written.
 ///
 /// # Errors
 /// Those of `out`.
@@ -50,74 +76,41 @@ pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
 /// Writes a mesh as [`write()`] does, with options.
 ///
 /// # Errors
-/// Those of `out`.
+/// Those of `out`; [`io::ErrorKind::FileTooLarge`] for more nodes or elements than a file with
+/// numbers of 32 bits can count.
 pub fn write_with(mesh: &Mesh, options: Options, out: &mut impl Write) -> io::Result<Vec<Note>> {
     let rules =
         Rules { positive: true, unique: options.unique_ids, quoted: true, memberships: true };
-    let (table, notes) = Table::new(mesh, rules);
-    let mut rows = Rows::new(out);
-    header(&mut rows, &table)?;
-    nodes(&mut rows, mesh)?;
-    elements(&mut rows, mesh, &table)?;
-    rows.finish()?;
+    let (table, mut notes) = Table::new(mesh, rules);
+    let nodes = Nodes::new(mesh, options.order)?;
+    let mut scribe = Scribe::new(out, options.binary);
+    scribe.format(options.version)?;
+    names(&mut scribe, &table)?;
+    let elements = match options.version {
+        Version::V2_2 => version_2::write(&mut scribe, &nodes, &table)?,
+        Version::V4_1 => version_4::write(&mut scribe, &nodes, &table)?,
+    };
+    data::write(&mut scribe, &nodes, elements - mesh.triangles.len(), &mut notes)?;
+    scribe.finish()?;
     Ok(notes)
 }
 
-fn header(rows: &mut Rows<impl Write>, table: &Table) -> io::Result<()> {
-    rows.text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")?;
+fn names(scribe: &mut Scribe<impl Write>, table: &Table) -> io::Result<()> {
     if table.entries.is_empty() {
         return Ok(());
     }
-    rows.text("$PhysicalNames\n")?;
-    rows.integers(&[table.entries.len() as i64])?;
+    scribe.text(&format!("$PhysicalNames\n{}\n", table.entries.len()))?;
     for entry in &table.entries {
         let (dim, number, name) = (entry.dim, entry.number, &entry.name);
-        rows.text(&format!("{dim} {number} \"{name}\"\n"))?;
+        scribe.text(&format!("{dim} {number} \"{name}\"\n"))?;
     }
-    rows.text("$EndPhysicalNames\n")
+    scribe.text("$EndPhysicalNames\n")
 }
 
-fn nodes(rows: &mut Rows<impl Write>, mesh: &Mesh) -> io::Result<()> {
-    rows.text("$Nodes\n")?;
-    rows.integers(&[mesh.points.len() as i64])?;
-    for (number, &[x, y]) in (1_i64..).zip(&mesh.points) {
-        rows.integer(number);
-        rows.real(x);
-        rows.real(y);
-        rows.integer(0);
-        rows.end()?;
+/// Gmsh's numbers of the kinds of elements.
+fn kinds(order: Order) -> [i32; 3] {
+    match order {
+        Order::First => [15, 1, 2],
+        Order::Second => [15, 8, 9],
     }
-    rows.text("$EndNodes\n")
-}
-
-fn elements(rows: &mut Rows<impl Write>, mesh: &Mesh, table: &Table) -> io::Result<()> {
-    rows.text("$Elements\n")?;
-    let count = mesh.memberships.len() + mesh.edges.len() + mesh.triangles.len();
-    rows.integers(&[count as i64])?;
-    let mut number = 0;
-    for (&[a, b], &group) in mesh.edges.iter().zip(&table.edges) {
-        number += 1;
-        let group = i64::from(table.entries[group as usize].number);
-        rows.integers(&[number, 1, 2, group, group, one_based(a), one_based(b)])?;
-    }
-    // As Gmsh writes them: an element for each group that a point or an edge is in.
-    for (membership, &group) in mesh.memberships.iter().zip(&table.memberships) {
-        number += 1;
-        let group = i64::from(table.entries[group as usize].number);
-        match membership.dim {
-            0 => rows.integers(&[number, 15, 2, group, group, one_based(membership.item)])?,
-            _ => {
-                let [a, b] = mesh.edges[membership.item as usize].map(one_based);
-                rows.integers(&[number, 1, 2, group, group, a, b])?;
-            }
-        }
-    }
-    for (triangle, &[a, b, c]) in mesh.triangles.iter().enumerate() {
-        number += 1;
-        let group = table.region(mesh.triangle_tag(triangle));
-        let group = i64::from(table.entries[group].number);
-        let [a, b, c] = [a, b, c].map(one_based);
-        rows.integers(&[number, 2, 2, group, group, a, b, c])?;
-    }
-    rows.text("$EndElements\n")
 }
