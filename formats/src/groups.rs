@@ -145,6 +145,13 @@ pub enum Note {
     },
     /// Target sizes of points, which the file does not hold.
     SizesDropped,
+    /// Edges between two triangles that are left out.
+    Interfaces {
+        /// How many.
+        count: usize,
+        /// Their tags.
+        tags: Vec<Tag>,
+    },
     /// What the format has no place for.
     NotHeld {
         /// How many there are.
@@ -210,6 +217,12 @@ impl Display for Note {
                 write!(f, "some of the data `{name}` are rounded: whole numbers above 2^53")
             }
             Self::SizesDropped => write!(f, "the target sizes of points are not written"),
+            Self::Interfaces { count, tags } => {
+                let (noun, verb) = if *count == 1 { ("edge", "is") } else { ("edges", "are") };
+                let of = if tags.len() == 1 { "boundary" } else { "boundaries" };
+                write!(f, "{count} {noun} between two triangles {verb} not written: ")?;
+                write!(f, "{of} {}", listed(tags))
+            }
             Self::NotHeld { count: 1, noun } => {
                 write!(f, "1 {noun} is not written: the format has no place for it")
             }
@@ -429,13 +442,18 @@ pub(crate) fn writable(name: &str, rules: Rules) -> Cow<'_, str> {
 
 /// The untagged edges that two triangles use; none where the user named the untagged ones.
 fn untagged_interfaces(mesh: &Mesh, names: &BTreeMap<(u8, Tag), String>) -> BTreeSet<usize> {
-    let untagged = |&edge: &usize| mesh.edge_tag(edge) == 0;
-    if names.contains_key(&(1, 0)) || !(0..mesh.edges.len()).any(|edge| untagged(&edge)) {
+    if names.contains_key(&(1, 0)) {
         return BTreeSet::new();
     }
+    inner_edges(mesh, |edge| mesh.edge_tag(edge) == 0)
+}
+
+/// The edges, of those that are `asked` for, that two triangles use.
+pub(crate) fn inner_edges(mesh: &Mesh, asked: impl Fn(usize) -> bool) -> BTreeSet<usize> {
+    let asked = || (0..mesh.edges.len()).filter(|&edge| asked(edge));
     let mut triangles: BTreeMap<[u32; 2], u32> = BTreeMap::new();
     let mut ends = vec![false; mesh.points.len()];
-    for edge in (0..mesh.edges.len()).filter(untagged) {
+    for edge in asked() {
         let [a, b] = mesh.edges[edge];
         triangles.insert([a.min(b), a.max(b)], 0);
         for end in [a, b] {
@@ -443,6 +461,9 @@ fn untagged_interfaces(mesh: &Mesh, names: &BTreeMap<(u8, Tag), String>) -> BTre
                 *end = true;
             }
         }
+    }
+    if triangles.is_empty() {
+        return BTreeSet::new();
     }
     // Few points are ends of such an edge: most triangle edges need no search.
     let is_end = |point: u32| ends.get(point as usize).is_some_and(|&end| end);
@@ -460,7 +481,7 @@ fn untagged_interfaces(mesh: &Mesh, names: &BTreeMap<(u8, Tag), String>) -> BTre
         let [a, b] = mesh.edges[edge];
         triangles[&[a.min(b), a.max(b)]] >= 2
     };
-    (0..mesh.edges.len()).filter(untagged).filter(shared).collect()
+    asked().filter(shared).collect()
 }
 
 /// The groups that occur, and those that have only a name; sorted.

@@ -3,7 +3,7 @@
 //! [`Pslg`] is what every outline reader makes, [`Mesh`] what every mesh writer takes. This crate
 //! knows files and flat arrays; it knows no geometry.
 //!
-//! Outlines: [`poly`], [`node`], [`obj`], [`geo`]. Meshes: [`msh`], [`vtu`], [`gltf`] (written only), and Triangle's
+//! Outlines: [`poly`], [`node`], [`obj`], [`geo`]. Meshes: [`msh`], [`vtu`], [`vtk`], [`vtp`] and [`gltf`] (written only), and Triangle's
 //! files, each of which holds a part: [`node`] and [`ele`], with the edges in [`poly`]; [`edge`]
 //! and [`neigh`] (written only); [`area`] (read only). A reader takes text and a name for its messages; it returns what
 //! it read and what it passed over ([`Warning`]). A writer takes a [`std::io::Write`] and returns
@@ -11,6 +11,7 @@
 
 pub mod area;
 mod assembly;
+mod arrays;
 mod attributes;
 mod digits;
 pub mod edge;
@@ -30,7 +31,11 @@ pub mod obj;
 pub mod poly;
 mod pslg;
 mod rows;
+pub mod selection;
 mod text;
+pub mod vtk;
+mod vtk_xml;
+pub mod vtp;
 pub mod vtu;
 
 pub use error::{Found, Notice, SyntaxError, Warning};

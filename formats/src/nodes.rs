@@ -44,7 +44,8 @@ impl<'a> Nodes<'a> {
     }
 
     fn add_middles(&mut self) -> io::Result<()> {
-        let of_triangles = self.mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let of_triangles =
+            self.mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
         let sides = of_triangles.chain(self.mesh.edges.iter().copied());
         let mut places: Vec<([u32; 2], usize)> =
             sides.map(|[a, b]| [a.min(b), a.max(b)]).zip(0..).collect();
@@ -84,13 +85,13 @@ impl<'a> Nodes<'a> {
     }
 
     /// The nodes of an edge.
-    pub fn edge(&self, edge: usize) -> impl Iterator<Item = u32> {
+    pub fn edge(&self, edge: usize) -> impl Iterator<Item = u32> + Clone {
         let place = 3 * self.mesh.triangles.len() + edge;
         self.mesh.edges[edge].into_iter().chain(self.middles.get(place).copied())
     }
 
     /// The nodes of a triangle.
-    pub fn triangle(&self, triangle: usize) -> impl Iterator<Item = u32> {
+    pub fn triangle(&self, triangle: usize) -> impl Iterator<Item = u32> + Clone {
         let middles = self.middles.get(3 * triangle..3 * triangle + 3).unwrap_or_default();
         self.mesh.triangles[triangle].into_iter().chain(middles.iter().copied())
     }
@@ -123,16 +124,6 @@ impl<'a> Nodes<'a> {
         }
         Cow::Owned(data)
     }
-
-    /// How many nodes an edge has.
-    pub fn per_edge(&self) -> usize {
-        2 + usize::from(self.order == Order::Second)
-    }
-
-    /// How many nodes a triangle has.
-    pub fn per_triangle(&self) -> usize {
-        3 * (1 + usize::from(self.order == Order::Second))
-    }
 }
 
 #[cfg(test)]
@@ -160,7 +151,6 @@ mod tests {
         assert_eq!(nodes.edge(0).collect::<Vec<_>>(), [2, 1, 7]);
         assert_eq!(nodes.edge(1).collect::<Vec<_>>(), [2, 0, 5]);
         assert_eq!(nodes.point(5), [1.0, 1.0]);
-        assert_eq!((nodes.per_edge(), nodes.per_triangle()), (3, 6));
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! VTK's XML format for unstructured grids, `.vtu`, with raw appended data.
+//! VTK's XML format for unstructured grids, `.vtu`. With raw appended data, which is the default,
+//! a file is:
 //!
 //! ```text
 //! file     := <VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"
@@ -8,14 +9,15 @@
 //! array    := <number of bytes: u64> <bytes>
 //! ```
 //!
-//! Cells are the edges (VTK's type 3), then the triangles (type 5). Arrays:
+//! Base64, text and compressed arrays are written too ([`Options`]). Cells are the edges (VTK's type
+//! 3), then the triangles (type 5); of second order types 21 and 22. Arrays:
 //!
 //! | array | where | holds |
 //! |---|---|---|
 //! | `gmsh:physical` | cells | the number of the group: the tag, or a positive number where that is 0 |
 //! | `tag` | cells | the user's tag, 0 for none |
 //! | `segment` | edges | the (zero-based) input segment, −1 for none and for triangles |
-//! | `provenance` | points | 0 input, 1 shell, 2 midpoint, 3 circumcenter ([`Provenance`]) |
+//! | `provenance` | points | 0 input, 1 shell, 2 midpoint, 3 circumcenter ([`Provenance`]); −1 in the middle of a side |
 //! | `marker` | points | the marker |
 //! | `meshwright` | field | 0, the version of this table |
 //! | a group's name | field | `[number, dimension]`, one pair for each group of the name |
@@ -28,20 +30,26 @@
 mod fault;
 mod header;
 mod read;
+#[cfg(test)]
+mod tests;
 mod write;
 
 pub use fault::{Fault, ReadError};
 pub use read::read;
-pub use write::write;
+pub use write::{write, write_with};
+
+pub use crate::vtk_xml::{Encoding, Options};
 
 /// VTK's numbers of the kinds of cells.
-const LINE: u8 = 3;
-const TRIANGLE: u8 = 5;
+pub(crate) const LINE: u8 = 3;
+pub(crate) const TRIANGLE: u8 = 5;
+pub(crate) const LINE_3: u8 = 21;
+pub(crate) const TRIANGLE_6: u8 = 22;
 
 /// Names of arrays that have a meaning here.
-const PHYSICAL: &str = "gmsh:physical";
-const TAG: &str = "tag";
-const SEGMENT: &str = "segment";
-const PROVENANCE: &str = "provenance";
-const MARKER: &str = "marker";
-const VERSION: &str = "meshwright";
+pub(crate) const PHYSICAL: &str = "gmsh:physical";
+pub(crate) const TAG: &str = "tag";
+pub(crate) const SEGMENT: &str = "segment";
+pub(crate) const PROVENANCE: &str = "provenance";
+pub(crate) const MARKER: &str = "marker";
+pub(crate) const VERSION: &str = "meshwright";

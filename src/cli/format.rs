@@ -78,7 +78,7 @@ impl Format {
             Self::Node => "Triangle .node",
             Self::Obj => "Wavefront OBJ",
             Self::Geo => "Gmsh .geo",
-            Self::Msh => "Gmsh 2.2",
+            Self::Msh => "Gmsh .msh",
             Self::Vtu => "VTK",
             Self::Glb => "glTF",
             Self::Ele => "Triangle .ele",

@@ -1,13 +1,11 @@
 //! `meshwright mesh`: from an outline to certified mesh files.
 
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use meshwright::certify::Certificate;
 use meshwright::domain;
-use meshwright::formats::groups::Note;
-use meshwright::formats::{Mesh, Pslg, edge, ele, gltf, msh, neigh, node, poly, vtu};
+use meshwright::formats::{Mesh, Pslg, poly};
 use meshwright::refine::End;
 use meshwright::{Error, Outcome, Parameters, Rule, Warning, mesh_with};
 
@@ -26,6 +24,7 @@ use super::summary::Summary;
 use super::triangle::{is_beside, tell_incomplete};
 use super::voice::{Voice, print};
 use super::wording::{count, grouped};
+use super::writing::{Content, WriteOptions};
 
 /// What `mesh` is asked.
 #[derive(Debug, Args)]
@@ -53,9 +52,8 @@ pub struct Arguments {
     /// Write the mended outline to this .poly or .obj file.
     #[arg(long, value_name = "FILE", requires = "repair")]
     write_repaired: Option<PathBuf>,
-    /// Renumber groups so that no number serves a boundary and a region (.msh).
-    #[arg(long)]
-    unique_ids: bool,
+    #[command(flatten)]
+    write: WriteOptions,
     /// Let any warning end the command with exit code 4.
     #[arg(long)]
     strict: bool,
@@ -101,7 +99,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let (written, notes) = arguments.write(&outcome.mesh, pslg, &formats, &certificate, voice)?;
     notes.say(voice);
     tell_incomplete(&arguments.outputs(&formats), voice);
-    summary.say_written(&written, voice);
+    summary.say_written(&written, &arguments.write, voice);
 
     let exit = verdict(&outcome, pslg, &parameters, arguments.strict, voice);
     if arguments.json {
@@ -131,7 +129,10 @@ impl Arguments {
             return Err(Failure::usage("a certificate is written to a file; --json holds it too"));
         }
         self.format_of_repaired()?;
-        self.output.iter().map(|output| self.format(output)).collect()
+        let formats: Vec<Format> =
+            self.output.iter().map(|output| self.format(output)).collect::<Result<_, _>>()?;
+        self.write.check(&formats)?;
+        Ok(formats)
     }
 
     /// Where the mended outline is written, and in which format.
@@ -196,10 +197,10 @@ impl Arguments {
         let mut notes = Notes::default();
         let mut pending = Vec::new();
         for &(output, format) in &outputs {
-            let content = FileContent {
+            let content = Content {
                 mesh,
                 format,
-                msh: msh::Options { unique_ids: self.unique_ids },
+                options: &self.write,
                 poly: poly::Options {
                     outline: Some(pslg),
                     points_beside: is_beside(output, Format::Node, &outputs),
@@ -227,33 +228,6 @@ impl Arguments {
             file.finish()?;
         }
         Ok((written, notes))
-    }
-}
-
-/// What one output holds.
-struct FileContent<'a> {
-    mesh: &'a Mesh,
-    format: Format,
-    msh: msh::Options,
-    poly: poly::Options<'a>,
-}
-
-impl FileContent<'_> {
-    fn write(&self, mut out: &mut dyn Write) -> io::Result<Vec<Note>> {
-        let Self { mesh, .. } = *self;
-        match self.format {
-            Format::Msh => msh::write_with(mesh, self.msh, &mut out),
-            Format::Vtu => vtu::write(mesh, &mut out),
-            Format::Glb => gltf::write(mesh, &mut out),
-            Format::Node => node::write(mesh, &mut out),
-            Format::Ele => ele::write(mesh, &mut out),
-            Format::Poly => poly::write_with(mesh, self.poly, &mut out),
-            Format::Edge => edge::write(mesh, &mut out),
-            Format::Neigh => neigh::write(mesh, &mut out),
-            Format::Geo | Format::Obj | Format::Area => {
-                unreachable!("`format` refuses formats that hold no meshes")
-            }
-        }
     }
 }
 

@@ -24,6 +24,7 @@ mod triangle;
 mod voice;
 mod wording;
 mod words;
+mod writing;
 
 use clap::{Parser, Subcommand};
 

@@ -13,6 +13,7 @@ use super::info::groups_text;
 use super::output::{STDOUT, Written};
 use super::voice::Voice;
 use super::wording::{angle, bytes, count, grouped};
+use super::writing::WriteOptions;
 
 /// What there is to say.
 pub struct Summary<'a> {
@@ -69,13 +70,18 @@ impl<'a> Summary<'a> {
     }
 
     /// Where the mesh went.
-    pub fn say_written(&self, written: &[(Written, Format)], voice: &Voice) {
+    pub fn say_written(
+        &self,
+        written: &[(Written, Format)],
+        options: &WriteOptions,
+        voice: &Voice,
+    ) {
         let told: Vec<String> = written
             .iter()
             .filter(|(written, _)| written.place.as_os_str() != STDOUT)
             .map(|(written, format)| {
                 let size = bytes(written.size);
-                format!("{} ({}, {size})", written.place.display(), format.name())
+                format!("{} ({}, {size})", written.place.display(), options.name(*format))
             })
             .collect();
         if !told.is_empty() {

@@ -1,6 +1,8 @@
 //! The words for what may be chosen: in options, in `--json` and in certificate files alike.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use meshwright::formats::Order;
+use meshwright::formats::msh::Version;
 use meshwright::{Excuse, Parameters, Region, Rule, Splitting, Steiner};
 
 /// Everything that may be asked for at once.
@@ -24,6 +26,11 @@ pub const STEINERS: [(&str, Steiner); 3] = [
 /// Which small angles are attacked.
 pub const RULES: [(&str, Rule); 3] =
     [("adaptive", Rule::Adaptive), ("ruppert", Rule::Ruppert), ("terminator", Rule::Terminator)];
+
+/// Versions of `.msh` files.
+pub const MSH_VERSIONS: [(&str, Version); 2] = [("2.2", Version::V2_2), ("4.1", Version::V4_1)];
+/// How many nodes an element has.
+pub const ORDERS: [(&str, Order); 2] = [("1", Order::First), ("2", Order::Second)];
 
 /// What takes a face out.
 pub const HOLES: [(&str, Holes); 3] =

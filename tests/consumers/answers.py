@@ -9,6 +9,11 @@ LENGTHS = {1: 4.2, 2: 0.7, 3: 0.7, 7: 0.7, 9: 4 * 0.15 * math.sqrt(2)}
 NAMES = {(1, tag): f"boundary_{tag}" for tag in LENGTHS} | {
     (2, tag): f"region_{tag}" for tag in AREAS
 }
+# The same rooms with names, in `named_rooms.geo`; the right side is in a second group.
+GROUPS = {
+    (0, 40): "probe", (1, 1): "wall", (1, 2): "left", (1, 3): "right", (1, 7): "partition",
+    (1, 9): "pillar", (1, 21): "cold", (2, 11): "hall", (2, 12): "cabinet",
+}  # fmt: skip
 CORNERS = [
     (0.1, 0.2), (1.3, 0.2), (2.2, 0.2), (2.2, 0.9), (1.3, 0.9), (0.1, 0.9),
     (0.75, 0.55), (0.6, 0.7), (0.45, 0.55), (0.6, 0.4),

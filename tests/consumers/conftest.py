@@ -42,6 +42,23 @@ def mesh_into(folder, outline, *options):
 
 
 @pytest.fixture(scope="session")
+def named_rooms(tmp_path_factory):
+    """Writes the rooms whose groups have names: a file's name and options in, its path out."""
+    folder = tmp_path_factory.mktemp("named_rooms")
+    files = {}
+
+    def write(name, *options):
+        key = (name, *options)
+        if key not in files:
+            files[key] = folder / str(len(files)) / name
+            files[key].parent.mkdir()
+            run("mesh", FIXTURES / "named_rooms.geo", *options, "-o", files[key])
+        return files[key]
+
+    return write
+
+
+@pytest.fixture(scope="session")
 def rooms(tmp_path_factory):
     return mesh_into(tmp_path_factory.mktemp("rooms"), "two_rooms.poly")
 

@@ -162,7 +162,8 @@ fn version_4_as_bytes() {
         block(2, 5, 4, 0.0, 0.1),
     ];
     assert_eq!(section(&bytes, "Nodes"), nodes.concat());
-    let block = |head: [i32; 3], element: &[u64]| [ints(&head), sizes(&[1]), sizes(element)].concat();
+    let block =
+        |head: [i32; 3], element: &[u64]| [ints(&head), sizes(&[1]), sizes(element)].concat();
     let elements = [
         sizes(&[5, 5, 1, 5]),
         block([0, 1, 15], &[3, 2]),

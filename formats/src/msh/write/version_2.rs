@@ -79,12 +79,7 @@ impl<W: Write> Elements<'_, '_, W> {
         self.scribe.end()
     }
 
-    fn add(
-        &mut self,
-        kind: i32,
-        group: i32,
-        nodes: impl Iterator<Item = u32>,
-    ) -> io::Result<()> {
+    fn add(&mut self, kind: i32, group: i32, nodes: impl Iterator<Item = u32>) -> io::Result<()> {
         self.written += 1;
         self.scribe.number(self.written);
         if !self.scribe.is_binary() {

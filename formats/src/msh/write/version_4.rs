@@ -92,7 +92,8 @@ fn write_elements(
     let point_blocks = Blocks::new(&of_points, all);
     let edge_blocks = Blocks::new(of_edges, all);
     let triangle_blocks = Blocks::new(of_triangles, all);
-    let blocks = || point_blocks.in_use().chain(edge_blocks.in_use()).chain(triangle_blocks.in_use());
+    let blocks =
+        || point_blocks.in_use().chain(edge_blocks.in_use()).chain(triangle_blocks.in_use());
     let before = [of_edges.len(), 0, of_edges.len() + points.len()];
     let count = before[2] + of_triangles.len();
     scribe.text("$Elements\n")?;
