@@ -4,7 +4,10 @@ use std::collections::BTreeMap;
 
 use meshwright_formats::{Group, Mesh, Provenance, Tag};
 
+mod quality;
+
 pub use crate::certify::Kinds;
+pub use quality::Quality;
 
 /// What a mesh consists of.
 ///

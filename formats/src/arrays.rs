@@ -32,9 +32,11 @@ pub(crate) enum Kind {
 }
 
 /// Appends the numbers of some items.
+type Appends<'a, T> = Box<dyn Fn(Range<usize>, &mut Vec<T>) + 'a>;
+
 enum Fill<'a> {
-    Real(Box<dyn Fn(Range<usize>, &mut Vec<f64>) + 'a>),
-    Whole(Box<dyn Fn(Range<usize>, &mut Vec<i64>) + 'a>),
+    Real(Appends<'a, f64>),
+    Whole(Appends<'a, i64>),
 }
 
 /// Some numbers of an array.
@@ -74,6 +76,11 @@ impl<'a> Array<'a> {
         let (name, length) = (name.to_owned(), components * items);
         let fill = Fill::Real(Box::new(fill));
         Self { name, kind: Kind::Float64, components, length, items, fill }
+    }
+
+    /// The array with so many numbers in a tuple.
+    pub fn in_tuples(self, components: usize) -> Self {
+        Self { components, ..self }
     }
 
     /// Hands on all numbers, in order.
@@ -189,11 +196,22 @@ pub(crate) fn of_cells<'a>(
         };
         arrays.push(Array::whole(SEGMENT, Kind::Int64, count, value));
     }
-    for data in &mesh.triangle_data {
-        let name = data_name(&data.name, &[PHYSICAL, TAG, SEGMENT], notes);
-        arrays.push(of_data(Cow::Borrowed(data), name, edges, mesh.triangles.len()));
-    }
+    arrays.extend(of_triangles(mesh, edges, &[PHYSICAL, TAG, SEGMENT], notes));
     arrays
+}
+
+/// Data of triangles, after `before` cells that have none; `meant` are names with a meaning.
+pub(crate) fn of_triangles<'a>(
+    mesh: &'a Mesh,
+    before: usize,
+    meant: &[&str],
+    notes: &mut Vec<Note>,
+) -> Vec<Array<'a>> {
+    let array = |data: &'a Data| {
+        let name = data_name(&data.name, meant, notes);
+        of_data(Cow::Borrowed(data), name, before, mesh.triangles.len())
+    };
+    mesh.triangle_data.iter().map(array).collect()
 }
 
 /// The name of a data array in the file, which the names that have a meaning are kept from.
@@ -231,8 +249,8 @@ fn of_data(data: Cow<'_, Data>, name: String, before: usize, count: usize) -> Ar
                 out.extend(std::iter::repeat_n(0, nothing));
                 out.extend(places.map(|i| values.get(i).copied().unwrap_or(0)));
             };
-            let array = Array::wholes(&name, Kind::Int64, [items, items * components], fill);
-            Array { components, ..array }
+            let counts = [items, items * components];
+            Array::wholes(&name, Kind::Int64, counts, fill).in_tuples(components)
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Writing glTF 2.0, `.glb`: a mesh to look at, in a browser or any viewer.
+//! Writing glTF 2.0, `.glb` and `.gltf`: a mesh to look at, in a browser or any viewer.
 //!
 //! One node and one mesh for each group: triangles for a region, lines for a boundary. The node
 //! has the group's name and `extras {tag, dim}`. Coordinates are single precision there, so they
@@ -14,13 +14,27 @@ mod tests;
 
 use std::io::{self, Write};
 
+use crate::base64::Base64;
 use crate::groups::{Note, Rules, Table};
 use crate::mesh::Mesh;
-use parts::Frame;
+use crate::rows::Rows;
+use document::{PLACEHOLDER, document};
+use parts::{Frame, Part, parts};
+
+/// What may be asked of a glTF file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Options<'a> {
+    /// One file of text, `.gltf`, with the numbers as Base64 in it: a third larger.
+    pub text: bool,
+    /// A colour (red, green, blue, opacity) for each triangle, in place of one for each region.
+    /// Triangles then have their corners to themselves.
+    pub colors: Option<&'a [[u8; 4]]>,
+}
 
 /// Writes a mesh as `.glb`, and says what became of its tags.
 ///
-/// Tags are kept, also those below 1. Provenance, markers and data are not written.
+/// Tags are kept, also those below 1. Provenance, markers and data are not written; groups of points
+/// and further groups of an edge are not either.
 ///
 /// # Errors
 /// Those of `out`; [`io::ErrorKind::FileTooLarge`] for more than the 4 GiB that `.glb` can hold.
@@ -42,16 +56,75 @@ use parts::Frame;
 /// # Ok::<(), std::io::Error>(())
 /// ```
 pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
+    write_with(mesh, Options::default(), out)
+}
+
+/// Writes a mesh as [`write()`] does, with options.
+///
+/// # Errors
+/// Those of [`write()`].
+pub fn write_with(mesh: &Mesh, options: Options, out: &mut impl Write) -> io::Result<Vec<Note>> {
     let (table, mut notes) = Table::new(mesh, Rules::default());
     // The file holds tags, not group numbers, and any name, as often as it likes.
     notes.retain(|note| {
         matches!(note, Note::NameChanged { .. } | Note::SecondName { .. } | Note::PointGroup { .. })
     });
     let frame = Frame::of(&mesh.points);
-    let parts = parts::parts(mesh, &table, &frame);
-    let mut json = document::document(&table, &frame, &parts)?;
+    notes.extend(Note::data_not_held(mesh));
+    let parts = parts(mesh, &table, &frame, options.colors);
+    let json = document(&table, &frame, &parts, options.text)?;
+    if options.text {
+        write_text(&json, |take| write_parts(&parts, mesh, &frame, take), out)?;
+    } else {
+        write_binary(json, &parts, mesh, &frame, out)?;
+    }
+    Ok(notes)
+}
+
+/// The bytes of all parts, block by block.
+fn write_parts(
+    parts: &[Part],
+    mesh: &Mesh,
+    frame: &Frame,
+    take: &mut dyn FnMut(&[u8]) -> io::Result<()>,
+) -> io::Result<()> {
+    parts.iter().try_for_each(|part| part.write(mesh, frame, take))
+}
+
+/// The JSON, with the bytes in it where their place is held.
+fn write_text(
+    json: &[u8],
+    bytes: impl FnOnce(&mut dyn FnMut(&[u8]) -> io::Result<()>) -> io::Result<()>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let mut rows = Rows::new(out);
+    let held = json.windows(PLACEHOLDER.len()).position(|part| part == PLACEHOLDER.as_bytes());
+    let Some(start) = held else {
+        rows.bytes(json); // a mesh without cells
+        return rows.finish();
+    };
+    rows.bytes(&json[..start]);
+    rows.text("data:application/octet-stream;base64,")?;
+    let mut text = Base64::default();
+    bytes(&mut |block| {
+        text.push(block, &mut rows);
+        rows.hand_on()
+    })?;
+    text.finish(&mut rows);
+    rows.bytes(&json[start + PLACEHOLDER.len()..]);
+    rows.text("\n")?;
+    rows.finish()
+}
+
+fn write_binary(
+    mut json: Vec<u8>,
+    parts: &[Part],
+    mesh: &Mesh,
+    frame: &Frame,
+    out: &mut impl Write,
+) -> io::Result<()> {
     pad(&mut json, b' ');
-    let binary: u64 = parts.iter().map(parts::Part::bytes).sum();
+    let binary: u64 = parts.iter().map(Part::bytes).sum();
     let total = 12 + 8 + json.len() as u64 + if binary > 0 { 8 + binary } else { 0 };
     let length = u32::try_from(total).map_err(|_| io::ErrorKind::FileTooLarge)?;
     out.write_all(b"glTF")?;
@@ -61,11 +134,9 @@ pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
     out.write_all(&json)?;
     if binary > 0 {
         chunk(out, binary, b"BIN\0")?;
-        for part in &parts {
-            part.write(mesh, &frame, out)?;
-        }
+        write_parts(parts, mesh, frame, &mut |block| out.write_all(block))?;
     }
-    Ok(notes)
+    Ok(())
 }
 
 fn chunk(out: &mut impl Write, length: u64, kind: &[u8; 4]) -> io::Result<()> {

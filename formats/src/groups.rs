@@ -6,15 +6,18 @@
 //! a *stated* one ([`stated_name`]): `boundary_3`, `region_7`. So every number in a file has a
 //! name, and a name tells the user's number even where the file could not keep it.
 
+mod note;
 #[cfg(test)]
 mod tests;
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::{self, Display, Formatter};
 
 use crate::mesh::Mesh;
 use crate::pslg::{Group, Tag};
+
+pub use note::Note;
+pub(crate) use note::numbers_only;
 
 /// What a format, or the user, asks of the numbers and names of groups.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -27,6 +30,25 @@ pub struct Rules {
     pub quoted: bool,
     /// The format holds groups of points and any number of groups for an edge.
     pub memberships: bool,
+    /// The format holds names of groups, no numbers.
+    pub numberless: bool,
+    /// What a name may look like.
+    pub names: Names,
+    /// The dimension (1 or 2) of groups that the format does not hold; nothing is said of them.
+    pub without: Option<u8>,
+}
+
+/// What a name may look like in a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Names {
+    /// Anything but control characters.
+    #[default]
+    Any,
+    /// One word: white space becomes `_`.
+    Words,
+    /// One word of ASCII letters, digits, `_`, `-` and `.`, a letter first: all else becomes `_`.
+    /// Two of them differ in more than capitals.
+    Plain,
 }
 
 /// One group of a file.
@@ -54,189 +76,6 @@ pub struct Table {
     pub memberships: Vec<u32>,
     /// Tag and index of each group of triangles, by tag.
     regions: Vec<(Tag, usize)>,
-}
-
-/// What a writer did with tags and names, for the user to know.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Note {
-    /// What has no tag was given a number and a name.
-    Untagged {
-        /// 1 for edges, 2 for triangles.
-        dim: u8,
-        /// The number it got.
-        number: Tag,
-        /// The name it got.
-        name: String,
-    },
-    /// A tag is written as another number.
-    Renumbered {
-        /// 1 for edges, 2 for triangles.
-        dim: u8,
-        /// The user's tag.
-        tag: Tag,
-        /// The number that the file holds.
-        number: Tag,
-        /// The name of both.
-        name: String,
-    },
-    /// Numbers that serve a group of edges and a group of triangles.
-    SharedNumbers {
-        /// The numbers.
-        numbers: Vec<Tag>,
-    },
-    /// A name that serves two groups.
-    SharedName {
-        /// The name.
-        name: String,
-    },
-    /// A name that holds white space.
-    NameWithSpace {
-        /// The name.
-        name: String,
-    },
-    /// A name is written otherwise than the user gave it.
-    NameChanged {
-        /// The user's name.
-        name: String,
-        /// The name that the file holds.
-        written: String,
-    },
-    /// One tag has two names; the file holds the first.
-    SecondName {
-        /// The name that the file holds.
-        kept: String,
-        /// The other one.
-        dropped: String,
-    },
-    /// The name of a group of points, which the file does not hold.
-    PointGroup {
-        /// The name.
-        name: String,
-    },
-    /// Edges in more than one group, of which the file holds one.
-    FurtherGroups {
-        /// How many such memberships there are.
-        count: usize,
-    },
-    /// Names of groups, of which the file holds the numbers alone.
-    NumbersOnly {
-        /// 1 for edges, 2 for triangles.
-        dim: u8,
-        /// The names and their tags.
-        names: Vec<(String, Tag)>,
-    },
-    /// Data that stand in a column without a name.
-    Column {
-        /// The name of the data.
-        name: String,
-        /// Which attribute it is, counted from one.
-        attribute: usize,
-    },
-    /// Data that a column of real numbers cannot hold.
-    DataDropped {
-        /// The name of the data.
-        name: String,
-    },
-    /// Whole numbers of data that a real number does not hold to the last digit.
-    DataRounded {
-        /// The name of the data.
-        name: String,
-    },
-    /// Target sizes of points, which the file does not hold.
-    SizesDropped,
-    /// Edges between two triangles that are left out.
-    Interfaces {
-        /// How many.
-        count: usize,
-        /// Their tags.
-        tags: Vec<Tag>,
-    },
-    /// What the format has no place for.
-    NotHeld {
-        /// How many there are.
-        count: usize,
-        /// What one of them is: `hole seed`.
-        noun: &'static str,
-    },
-}
-
-impl Note {
-    /// Whether something may be lost or misread; else the note only tells.
-    #[must_use]
-    pub fn is_warning(&self) -> bool {
-        !matches!(self, Self::Untagged { .. } | Self::Renumbered { .. } | Self::Column { .. })
-    }
-}
-
-impl Display for Note {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        match self {
-            Self::Untagged { dim, number, name } => {
-                write!(f, "untagged {} are group {number}, `{name}`", cells(*dim))
-            }
-            Self::Renumbered { dim, tag, number, name } => {
-                write!(f, "{} {tag} is written as {number}, `{name}`", kind(*dim))
-            }
-            Self::SharedNumbers { numbers } => {
-                let (noun, verb) =
-                    if numbers.len() == 1 { ("number", "stands") } else { ("numbers", "stand") };
-                write!(f, "{noun} {} {verb} for a boundary and for a region", listed(numbers))?;
-                write!(f, "; GetDP and scikit-fem mix them up")
-            }
-            Self::SharedName { name } => {
-                write!(f, "`{name}` names two groups; readers that go by names keep one")
-            }
-            Self::NameWithSpace { name } => {
-                write!(f, "the name `{name}` holds a space; some solvers cut it there")
-            }
-            Self::NameChanged { name, written } => {
-                write!(f, "the name `{name}` is written as `{written}`")
-            }
-            Self::SecondName { kept, dropped } => {
-                write!(f, "the group `{kept}` has a second name, `{dropped}`, which is not written")
-            }
-            Self::PointGroup { name } => {
-                write!(f, "the point group `{name}` is not written")
-            }
-            Self::FurtherGroups { count } => {
-                write!(f, "edges keep one group each; {count} further memberships are not written")
-            }
-            Self::NumbersOnly { dim, names } => {
-                let names: Vec<_> = names.iter().map(|(n, tag)| format!("`{n}` ({tag})")).collect();
-                let plural = if *dim == 1 { "boundaries" } else { "regions" };
-                write!(f, "{plural} have numbers here, no names: {}", listed(&names))
-            }
-            Self::Column { name, attribute } => {
-                write!(f, "the data `{name}` are attribute {attribute}")
-            }
-            Self::DataDropped { name } => {
-                write!(f, "the data `{name}` are not written: an attribute is one real number")
-            }
-            Self::DataRounded { name } => {
-                write!(f, "some of the data `{name}` are rounded: whole numbers above 2^53")
-            }
-            Self::SizesDropped => write!(f, "the target sizes of points are not written"),
-            Self::Interfaces { count, tags } => {
-                let (noun, verb) = if *count == 1 { ("edge", "is") } else { ("edges", "are") };
-                let of = if tags.len() == 1 { "boundary" } else { "boundaries" };
-                write!(f, "{count} {noun} between two triangles {verb} not written: ")?;
-                write!(f, "{of} {}", listed(tags))
-            }
-            Self::NotHeld { count: 1, noun } => {
-                write!(f, "1 {noun} is not written: the format has no place for it")
-            }
-            Self::NotHeld { count, noun } => {
-                write!(f, "{count} {noun}s are not written: the format has no place for them")
-            }
-        }
-    }
-}
-
-fn listed(items: &[impl ToString]) -> String {
-    let shown: Vec<String> = items.iter().take(5).map(ToString::to_string).collect();
-    let more = if items.len() > 5 { ", …" } else { "" };
-    shown.join(", ") + more
 }
 
 fn kind(dim: u8) -> &'static str {
@@ -380,7 +219,7 @@ impl Table {
         if !rules.memberships && further > 0 {
             notes.push(Note::FurtherGroups { count: further });
         }
-        tell(&entries, &mut notes);
+        tell(&entries, rules, &mut notes);
         (Self { entries, edges, memberships, regions }, notes)
     }
 
@@ -394,23 +233,24 @@ impl Table {
     }
 }
 
-/// What a file that holds numbers alone does to the names of edges (1) or triangles (2).
-pub(crate) fn numbers_only(groups: &[Group], dim: u8) -> Option<Note> {
-    let groups = groups.iter().filter(|group| group.dim == dim);
-    let names: Vec<_> = groups.map(|group| (group.name.clone(), group.tag)).collect();
-    (!names.is_empty()).then_some(Note::NumbersOnly { dim, names })
-}
-
 /// The user's names as the file can hold them, by dimension and tag.
 fn names(mesh: &Mesh, rules: Rules, notes: &mut Vec<Note>) -> BTreeMap<(u8, Tag), String> {
     let mut names = BTreeMap::new();
+    let mut taken = BTreeSet::new();
     for Group { dim, tag, name } in &mesh.groups {
+        if rules.without == Some(*dim) {
+            continue;
+        }
         let is_held = matches!(dim, 1 | 2) || (rules.memberships && *dim == 0);
         if !is_held {
             notes.push(Note::PointGroup { name: name.clone() });
             continue;
         }
-        let written = writable(name, rules);
+        let mut written = writable(name, rules);
+        if rules.names == Names::Plain {
+            written = other_than(&taken, *dim, written);
+            taken.insert((*dim == 2, written.to_ascii_lowercase()));
+        }
         if written != *name {
             notes.push(Note::NameChanged { name: name.clone(), written: written.to_string() });
         }
@@ -431,13 +271,33 @@ pub(crate) fn writable(name: &str, rules: Rules) -> Cow<'_, str> {
     let forbidden = |c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}');
     let good = |c: char| match c {
         '"' if rules.quoted => '\'',
+        c if rules.names != Names::Any && (c.is_whitespace() || forbidden(c)) => '_',
+        c if rules.names == Names::Plain && !is_plain(c) => '_',
         c if forbidden(c) => ' ',
         c => c,
     };
-    if name.chars().all(|c| c == good(c)) {
+    let begins_well = rules.names != Names::Plain
+        || name.is_empty()
+        || name.starts_with(|c: char| c.is_ascii_alphabetic());
+    if begins_well && name.chars().all(|c| c == good(c)) {
         return name.into();
     }
-    name.chars().map(good).collect::<String>().into()
+    let start = if begins_well { "" } else { "g_" };
+    start.chars().chain(name.chars().map(good)).collect::<String>().into()
+}
+
+fn is_plain(c: char) -> bool {
+    c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.')
+}
+
+/// The name, or the name with a number that no other group of regions, or of edges and points, has.
+fn other_than<'a>(taken: &BTreeSet<(bool, String)>, dim: u8, name: Cow<'a, str>) -> Cow<'a, str> {
+    let is_free = |name: &str| !taken.contains(&(dim == 2, name.to_ascii_lowercase()));
+    if name.is_empty() || is_free(&name) {
+        return name;
+    }
+    let numbered = (2..).map(|number| format!("{name}_{number}"));
+    numbered.into_iter().find(|name| is_free(name)).map_or(name.clone(), Cow::Owned)
 }
 
 /// The untagged edges that two triangles use; none where the user named the untagged ones.
@@ -540,23 +400,25 @@ fn entries(
 }
 
 /// Says what differs from the user's tags, and what readers may misread.
-fn tell(entries: &[Entry], notes: &mut Vec<Note>) {
-    for &Entry { dim, tag, number, ref name } in entries {
+fn tell(entries: &[Entry], rules: Rules, notes: &mut Vec<Note>) {
+    let held = || entries.iter().filter(|entry| rules.without != Some(entry.dim));
+    for &Entry { dim, tag, number, ref name } in held() {
         let name = name.clone();
         if tag == 0 {
+            let number = (!rules.numberless).then_some(number);
             notes.push(Note::Untagged { dim, number, name });
-        } else if tag != number {
+        } else if tag != number && !rules.numberless {
             notes.push(Note::Renumbered { dim, tag, number, name });
         }
     }
-    let numbers = |dim| entries.iter().filter(move |e| e.dim == dim).map(|e| e.number);
+    let numbers = |dim| held().filter(move |e| e.dim == dim).map(|e| e.number);
     let regions: BTreeSet<Tag> = numbers(2).collect();
     let shared: BTreeSet<Tag> = numbers(1).filter(|number| regions.contains(number)).collect();
-    if !shared.is_empty() {
+    if !shared.is_empty() && !rules.numberless {
         notes.push(Note::SharedNumbers { numbers: shared.into_iter().collect() });
     }
     let mut seen = BTreeMap::new();
-    for Entry { name, .. } in entries {
+    for Entry { name, .. } in held() {
         *seen.entry(name).or_insert(0) += 1;
     }
     for (name, count) in seen {

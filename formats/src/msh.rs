@@ -10,4 +10,4 @@ mod tests;
 mod write;
 
 pub use read::read;
-pub use write::{Options, Version, write, write_with};
+pub use write::{Options, Version, write, write_layer, write_with};

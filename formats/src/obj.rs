@@ -1,4 +1,4 @@
-//! Outlines in Wavefront `.obj` files: polylines, or the outlines of faces.
+//! Outlines in Wavefront `.obj` files: polylines, or the outlines of faces. Meshes are written.
 //!
 //! ```text
 //! obj       := statement*
@@ -21,6 +21,7 @@
 //! 1e-5 of their extent; the others are left out.
 
 mod groups;
+mod mesh;
 mod outline;
 mod plane;
 mod write;
@@ -35,6 +36,7 @@ use crate::text::{Scanner, Word, parse_integer};
 use groups::Groups;
 use outline::Faces;
 
+pub use mesh::write;
 pub use write::write_outline;
 
 /// How a file is read.

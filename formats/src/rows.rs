@@ -30,6 +30,14 @@ impl<'a, W: Write> Rows<'a, W> {
         self.buffer.push(b' ');
     }
 
+    /// Puts a comma after the last word.
+    pub fn comma(&mut self) {
+        if let Some(last) = self.buffer.last_mut() {
+            *last = b',';
+        }
+        self.buffer.push(b' ');
+    }
+
     /// Ends the row, which holds a word.
     pub fn end(&mut self) -> io::Result<()> {
         if let Some(last) = self.buffer.last_mut() {

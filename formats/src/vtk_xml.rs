@@ -8,8 +8,9 @@ use std::io::{self, Write};
 use quick_xml::escape::escape;
 
 use crate::arrays::{Array, Block, Kind};
+use crate::base64::Base64;
 use crate::rows::Rows;
-use bytes::{Base64, compressed, raw};
+use bytes::{compressed, raw};
 
 /// What may be asked of a VTK file, [`vtu`](crate::vtu) or [`vtp`](crate::vtp).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

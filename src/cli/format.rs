@@ -17,8 +17,25 @@ pub enum Format {
     Msh,
     /// VTK's unstructured grids.
     Vtu,
+    /// VTK's polygonal data: boundary lines.
+    Vtp,
+    /// VTK's legacy files.
+    Vtk,
     /// glTF, binary.
     Glb,
+    /// glTF, text.
+    Gltf,
+    /// Medit's meshes, for FreeFEM and Mmg.
+    #[value(name = "mesh", alias = "medit")]
+    Medit,
+    /// SU2's meshes.
+    Su2,
+    /// Input of Abaqus and CalculiX.
+    Inp,
+    /// XDMF, for DOLFINx.
+    Xdmf,
+    /// Facets.
+    Stl,
     /// Triangle's triangles.
     Ele,
     /// Triangle's edges.
@@ -30,10 +47,18 @@ pub enum Format {
 }
 
 impl Format {
-    const ALL: [Self; 11] = [
+    const ALL: [Self; 19] = [
         Self::Msh,
         Self::Vtu,
+        Self::Vtp,
+        Self::Vtk,
         Self::Glb,
+        Self::Gltf,
+        Self::Medit,
+        Self::Su2,
+        Self::Inp,
+        Self::Xdmf,
+        Self::Stl,
         Self::Poly,
         Self::Node,
         Self::Obj,
@@ -63,7 +88,15 @@ impl Format {
             Self::Geo => "geo",
             Self::Msh => "msh",
             Self::Vtu => "vtu",
+            Self::Vtp => "vtp",
+            Self::Vtk => "vtk",
             Self::Glb => "glb",
+            Self::Gltf => "gltf",
+            Self::Medit => "mesh",
+            Self::Su2 => "su2",
+            Self::Inp => "inp",
+            Self::Xdmf => "xdmf",
+            Self::Stl => "stl",
             Self::Ele => "ele",
             Self::Edge => "edge",
             Self::Neigh => "neigh",
@@ -80,7 +113,14 @@ impl Format {
             Self::Geo => "Gmsh .geo",
             Self::Msh => "Gmsh .msh",
             Self::Vtu => "VTK",
-            Self::Glb => "glTF",
+            Self::Vtp => "VTK lines",
+            Self::Vtk => "VTK legacy",
+            Self::Glb | Self::Gltf => "glTF",
+            Self::Medit => "Medit",
+            Self::Su2 => "SU2",
+            Self::Inp => "Abaqus",
+            Self::Xdmf => "XDMF",
+            Self::Stl => "STL",
             Self::Ele => "Triangle .ele",
             Self::Edge => "Triangle .edge",
             Self::Neigh => "Triangle .neigh",
@@ -105,7 +145,7 @@ impl Format {
 
     /// Whether meshes are written to it.
     pub fn meshes_are_written(self) -> bool {
-        !matches!(self, Self::Obj | Self::Geo | Self::Area)
+        !matches!(self, Self::Geo | Self::Area)
     }
 
     /// Whether anything is read from it. A `.area` file stands for the mesh beside it, refined.

@@ -98,7 +98,7 @@ pub fn any(
             outline(refined::beside_areas(areas, &name, &mut companion)?)
         }
         Format::Vtu => Content::Mesh(vtu::read(&bytes, &name).map_err(Failure::input)?),
-        Format::Glb | Format::Edge | Format::Neigh => {
+        _ => {
             unreachable!("`format_of` refuses formats that are not read")
         }
     };

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use meshwright::certify::Certificate;
 use meshwright::domain;
-use meshwright::formats::{Mesh, Pslg, poly};
+use meshwright::formats::{Pslg, poly};
 use meshwright::refine::End;
 use meshwright::{Error, Outcome, Parameters, Rule, Warning, mesh_with};
 
@@ -24,15 +24,16 @@ use super::summary::Summary;
 use super::triangle::{is_beside, tell_incomplete};
 use super::voice::{Voice, print};
 use super::wording::{count, grouped};
-use super::writing::{Content, WriteOptions};
+use super::writing::WriteOptions;
 
 /// What `mesh` is asked.
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// The outline (`-`: stdin).
     input: PathBuf,
-    /// A file to write, its format by its end: .msh, .vtu, .glb, or .node, .ele, .poly,
-    /// .edge, .neigh as Triangle writes them; may be given several times (`-`: stdout).
+    /// A file to write, its format by its end: .msh, .vtu, .vtp, .vtk, .glb, .gltf, .mesh, .su2,
+    /// .inp, .xdmf, .stl, .obj, or .node, .ele, .poly, .edge, .neigh as Triangle writes them; may be
+    /// given several times (`-`: stdout).
     #[arg(short, long, value_name = "OUT")]
     output: Vec<PathBuf>,
     /// The format of the input, where its name does not tell.
@@ -68,7 +69,7 @@ pub struct Arguments {
 
 /// Meshes.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
-    let formats = arguments.formats()?;
+    let formats = arguments.formats(voice)?;
     let parameters = arguments.refine.parameters()?;
     let (mut pslg, input) =
         input::outline(&arguments.input, arguments.from, arguments.read, voice)?;
@@ -96,7 +97,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         parameters: &parameters,
     };
     let certificate = json::certificate_file(&input, &made_from, &outcome.certificate);
-    let (written, notes) = arguments.write(&outcome.mesh, pslg, &formats, &certificate, voice)?;
+    let (written, notes) = arguments.write(&outcome, pslg, &formats, &certificate, voice)?;
     notes.say(voice);
     tell_incomplete(&arguments.outputs(&formats), voice);
     summary.say_written(&written, &arguments.write, voice);
@@ -120,7 +121,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
 
 impl Arguments {
     /// The format of each output, known before anything is read.
-    fn formats(&self) -> Result<Vec<Format>, Failure> {
+    fn formats(&self, voice: &Voice) -> Result<Vec<Format>, Failure> {
         let wants_stdout = |output: &PathBuf| output == Path::new(STDOUT);
         if self.json && self.output.iter().any(wants_stdout) {
             return Err(Failure::usage("--json and `-o -` both want stdout"));
@@ -131,7 +132,7 @@ impl Arguments {
         self.format_of_repaired()?;
         let formats: Vec<Format> =
             self.output.iter().map(|output| self.format(output)).collect::<Result<_, _>>()?;
-        self.write.check(&formats)?;
+        self.write.check(&formats, voice)?;
         Ok(formats)
     }
 
@@ -156,7 +157,7 @@ impl Arguments {
 
     fn format(&self, output: &Path) -> Result<Format, Failure> {
         let known = listed(Format::meshes_are_written);
-        match Format::of(output).or(self.to) {
+        match Format::of(output).or(self.to).or(self.write.format()) {
             Some(_) if output.extension().is_some_and(|end| end.eq_ignore_ascii_case("gz")) => {
                 Err(Failure::usage(format!(
                     "{}: compressed files are read, not written",
@@ -187,26 +188,22 @@ impl Arguments {
     /// Writes every output, then puts all in their places: none is there if one fails.
     fn write(
         &self,
-        mesh: &Mesh,
+        outcome: &Outcome,
         pslg: &Pslg,
         formats: &[Format],
         certificate: &[u8],
         voice: &Voice,
     ) -> Result<(Outputs, Notes), Failure> {
         let outputs = self.outputs(formats);
+        let prepared = self.write.prepare(&outcome.mesh, Some(&outcome.certificate), voice);
         let mut notes = Notes::default();
         let mut pending = Vec::new();
         for &(output, format) in &outputs {
-            let content = Content {
-                mesh,
-                format,
-                options: &self.write,
-                poly: poly::Options {
-                    outline: Some(pslg),
-                    points_beside: is_beside(output, Format::Node, &outputs),
-                },
+            let poly = poly::Options {
+                outline: Some(pslg),
+                points_beside: is_beside(output, Format::Node, &outputs),
             };
-            let (file, said) = Pending::write(output, |out| content.write(out))?;
+            let (file, said) = Pending::write(output, |out| prepared.write(format, poly, out))?;
             pending.push(file);
             notes.add(output, said);
         }

@@ -2,6 +2,7 @@
 
 mod certificate;
 mod check;
+mod colors;
 mod convert;
 mod draw;
 mod failure;
@@ -13,6 +14,7 @@ mod mesh;
 mod notes;
 mod options;
 mod output;
+mod presets;
 mod progress;
 mod refined;
 mod refining;

@@ -3,6 +3,8 @@
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use meshwright::formats::Order;
 use meshwright::formats::msh::Version;
+use meshwright::formats::selection::Cells;
+use meshwright::formats::vtu::Encoding;
 use meshwright::{Excuse, Parameters, Region, Rule, Splitting, Steiner};
 
 /// Everything that may be asked for at once.
@@ -31,6 +33,46 @@ pub const RULES: [(&str, Rule); 3] =
 pub const MSH_VERSIONS: [(&str, Version); 2] = [("2.2", Version::V2_2), ("4.1", Version::V4_1)];
 /// How many nodes an element has.
 pub const ORDERS: [(&str, Order); 2] = [("1", Order::First), ("2", Order::Second)];
+
+/// How the arrays of VTK's XML files are written.
+pub const ENCODINGS: [(&str, Encoding); 3] =
+    [("raw", Encoding::Raw), ("base64", Encoding::Base64), ("ascii", Encoding::Ascii)];
+/// What cells a file holds.
+pub const CELLS: [(&str, Cells); 3] =
+    [("all", Cells::All), ("faces", Cells::Faces), ("segments", Cells::Segments)];
+/// What becomes of edges between two triangles.
+pub const INTERIORS: [(&str, Interior); 2] = [("keep", Interior::Keep), ("drop", Interior::Drop)];
+/// What is written beside the mesh.
+pub const EXTRAS: [(&str, Extra); 2] = [("quality", Extra::Quality), ("excuse", Extra::Excuse)];
+/// What the colours of a picture tell.
+pub const COLORS: [(&str, Color); 2] = [("region", Color::Region), ("quality", Color::Quality)];
+
+/// What becomes of edges between two triangles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interior {
+    /// They are written.
+    Keep,
+    /// They are left out.
+    Drop,
+}
+
+/// What is written beside the mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extra {
+    /// Measures of triangles.
+    Quality,
+    /// Which triangles have an excused angle.
+    Excuse,
+}
+
+/// What the colours of a picture tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Color {
+    /// Regions.
+    Region,
+    /// The smallest angle of each triangle.
+    Quality,
+}
 
 /// What takes a face out.
 pub const HOLES: [(&str, Holes); 3] =

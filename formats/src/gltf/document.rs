@@ -1,4 +1,4 @@
-//! The JSON of a `.glb` file.
+//! The JSON of a glTF file.
 
 use std::io;
 
@@ -16,8 +16,18 @@ use crate::groups::{Entry, Table};
 
 const UNLIT: &str = "KHR_materials_unlit";
 
-/// The JSON that describes the parts, whose bytes follow each other.
-pub(super) fn document(table: &Table, frame: &Frame, parts: &[Part]) -> io::Result<Vec<u8>> {
+/// What stands in the JSON where the bytes are to stand. It is in no name: those have no control
+/// characters.
+pub(super) const PLACEHOLDER: &str = "\u{7f}bytes\u{7f}";
+
+/// The JSON that describes the parts, whose bytes follow each other: in a chunk of their own, or
+/// `within` the JSON.
+pub(super) fn document(
+    table: &Table,
+    frame: &Frame,
+    parts: &[Part],
+    within: bool,
+) -> io::Result<Vec<u8>> {
     let mut root = Root::default();
     root.asset.generator = Some(concat!("meshwright ", env!("CARGO_PKG_VERSION")).to_owned());
     root.extras = extras(&json!({ "origin": frame.origin, "scale": frame.scale }))?;
@@ -26,7 +36,7 @@ pub(super) fn document(table: &Table, frame: &Frame, parts: &[Part]) -> io::Resu
         let buffer = root.push(Buffer {
             byte_length: length,
             name: None,
-            uri: None,
+            uri: within.then(|| PLACEHOLDER.to_owned()),
             extensions: None,
             extras: None,
         });

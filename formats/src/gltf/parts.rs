@@ -1,6 +1,6 @@
 //! The vertices and indices of each group.
 
-use std::io::{self, Write};
+use std::io;
 
 use crate::groups::Table;
 use crate::mesh::Mesh;
@@ -53,11 +53,17 @@ pub(super) struct Part {
     pub vertices: Vec<u32>,
     /// Indices into `vertices`: two for each line, three for each triangle.
     pub indices: Vec<u32>,
-    /// The colour of all vertices.
-    pub color: [u8; 4],
+    /// The colour of all vertices, or of each.
+    pub color: Color,
     /// The smallest and the largest position, axis by axis.
     pub least: [f32; 3],
     pub most: [f32; 3],
+}
+
+/// The colours of a part.
+pub(super) enum Color {
+    One([u8; 4]),
+    Each(Vec<[u8; 4]>),
 }
 
 impl Part {
@@ -71,22 +77,44 @@ impl Part {
         self.sizes().iter().sum()
     }
 
+    /// Lets no two triangles share a vertex, so that each corner has a colour of its own.
+    fn give_corners_to_triangles(&mut self, colors: Vec<[u8; 4]>) {
+        self.vertices = self.indices.iter().map(|&index| self.vertices[index as usize]).collect();
+        self.indices = (0..self.vertices.len() as u32).collect();
+        self.color = Color::Each(colors);
+    }
+
     /// Writes positions, colours and indices.
-    pub fn write(&self, mesh: &Mesh, frame: &Frame, out: &mut impl Write) -> io::Result<()> {
+    pub fn write(
+        &self,
+        mesh: &Mesh,
+        frame: &Frame,
+        take: &mut dyn FnMut(&[u8]) -> io::Result<()>,
+    ) -> io::Result<()> {
         let mut buffer = Vec::new();
+        let mut hand_on = |buffer: &mut Vec<u8>| {
+            take(buffer)?;
+            buffer.clear();
+            io::Result::Ok(())
+        };
         for block in self.vertices.chunks(BLOCK) {
             let positions =
                 block.iter().map(|&vertex| frame.position(mesh.points[vertex as usize]));
             buffer.extend(positions.flatten().flat_map(f32::to_le_bytes));
-            flush(&mut buffer, out)?;
+            hand_on(&mut buffer)?;
         }
-        for block in self.vertices.chunks(BLOCK) {
-            buffer.extend(block.iter().flat_map(|_| self.color));
-            flush(&mut buffer, out)?;
+        let color = |vertex: usize| match &self.color {
+            Color::One(color) => *color,
+            Color::Each(colors) => colors[vertex],
+        };
+        for block in (0..self.vertices.len()).step_by(BLOCK) {
+            let block = block..(block + BLOCK).min(self.vertices.len());
+            buffer.extend(block.flat_map(color));
+            hand_on(&mut buffer)?;
         }
         for block in self.indices.chunks(BLOCK) {
             buffer.extend(block.iter().flat_map(|index| index.to_le_bytes()));
-            flush(&mut buffer, out)?;
+            hand_on(&mut buffer)?;
         }
         Ok(())
     }
@@ -95,25 +123,36 @@ impl Part {
 /// Numbers that are gathered before they are handed on.
 const BLOCK: usize = 1 << 14;
 
-fn flush(buffer: &mut Vec<u8>, out: &mut impl Write) -> io::Result<()> {
-    out.write_all(buffer)?;
-    buffer.clear();
-    Ok(())
-}
-
-/// The parts of all groups that have cells, in the order of the table.
-pub(super) fn parts(mesh: &Mesh, table: &Table, frame: &Frame) -> Vec<Part> {
+/// The parts of all groups that have cells, in the order of the table; triangles in their own
+/// `colors`, where there are some.
+pub(super) fn parts(
+    mesh: &Mesh,
+    table: &Table,
+    frame: &Frame,
+    colors: Option<&[[u8; 4]]>,
+) -> Vec<Part> {
     let mut corners: Vec<Vec<u32>> = vec![Vec::new(); table.entries.len()];
     for (edge, &group) in mesh.edges.iter().zip(&table.edges) {
         corners[group as usize].extend(edge);
     }
+    let mut own: Vec<Vec<[u8; 4]>> = vec![Vec::new(); table.entries.len()];
     for (index, triangle) in mesh.triangles.iter().enumerate() {
-        corners[table.region(mesh.triangle_tag(index))].extend(triangle);
+        let group = table.region(mesh.triangle_tag(index));
+        corners[group].extend(triangle);
+        if let Some(colors) = colors {
+            own[group].extend([colors.get(index).copied().unwrap_or(NO_COLOR); 3]);
+        }
     }
     let mut local = vec![u32::MAX; mesh.points.len()];
     let used = corners.into_iter().enumerate().filter(|(_, corners)| !corners.is_empty());
     used.map(|(group, corners)| {
-        part(group, corners, table.entries[group].dim, mesh, frame, &mut local)
+        let dim = table.entries[group].dim;
+        let colors = std::mem::take(&mut own[group]);
+        let mut part = part(group, corners, dim, mesh, frame, &mut local);
+        if !colors.is_empty() {
+            part.give_corners_to_triangles(colors);
+        }
+        part
     })
     .collect()
 }
@@ -146,9 +185,12 @@ fn part(
         local[vertex as usize] = u32::MAX;
     }
     let color: &[[u8; 4]] = if dim == 1 { &LINES } else { &REGIONS };
-    let color = color[group % color.len()];
+    let color = Color::One(color[group % color.len()]);
     Part { group, vertices, indices: corners, color, least, most }
 }
+
+/// The colour of what is given none.
+const NO_COLOR: [u8; 4] = [217, 217, 217, 255];
 
 /// Colours that tell neighbours apart, light for regions and dark for boundaries.
 const REGIONS: [[u8; 4]; 8] = [

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::write;
+use super::{Options, write, write_with};
 use crate::mesh::Mesh;
 use crate::pslg::Group;
 
@@ -107,4 +107,41 @@ fn a_mesh_without_cells_is_a_file_without_a_scene() {
     let (json, binary) = chunks(&Mesh::default());
     assert_eq!(json["scenes"], Value::Null);
     assert!(binary.is_empty());
+}
+
+#[test]
+fn a_file_of_text_holds_the_same_bytes_as_base64() {
+    let (mut binary_json, bytes) = chunks(&square());
+    let mut text = Vec::new();
+    write_with(&square(), Options { text: true, ..Options::default() }, &mut text).unwrap();
+    let json: Value = serde_json::from_slice(&text).unwrap();
+    let uri = json["buffers"][0]["uri"].as_str().unwrap().to_owned();
+    let words = uri.strip_prefix("data:application/octet-stream;base64,").unwrap();
+    assert_eq!(words.len(), bytes.len().div_ceil(3) * 4);
+    // The first position, 0.25 0.5 0: 0000803e 0000003f 00000000.
+    assert!(words.starts_with("AACAPgAAAD8AAAAA"), "{words}");
+    binary_json["buffers"][0]["uri"] = json!(uri);
+    assert_eq!(json, binary_json, "all else is the same");
+}
+
+#[test]
+fn triangles_of_their_own_colours_share_no_vertex() {
+    let colors = [[1, 2, 3, 255], [4, 5, 6, 255]];
+    let mesh = Mesh { triangle_tags: vec![7, 7], ..square() };
+    let mut bytes = Vec::new();
+    let options = Options { colors: Some(&colors), ..Options::default() };
+    write_with(&mesh, options, &mut bytes).unwrap();
+    let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    let json: Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
+    let binary = &bytes[28 + length..];
+    let region = &json["meshes"][1]["primitives"][0];
+    let array = |accessor: &Value, size: usize| {
+        let accessor = &json["accessors"][accessor.as_u64().unwrap() as usize];
+        let view = &json["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
+        let start = view["byteOffset"].as_u64().unwrap() as usize;
+        binary[start..start + size * accessor["count"].as_u64().unwrap() as usize].to_vec()
+    };
+    let expected = [[colors[0]; 3], [colors[1]; 3]].concat().concat();
+    assert_eq!(array(&region["attributes"]["COLOR_0"], 4), expected);
+    assert_eq!(array(&region["indices"], 4), [0_u32, 1, 2, 3, 4, 5].map(u32::to_le_bytes).concat());
 }

@@ -16,8 +16,17 @@ fn square(triangle_tags: [Tag; 2], edge_tags: [Tag; 5], groups: &[(u8, Tag, &str
     }
 }
 
-const POSITIVE: Rules = Rules { positive: true, unique: false, quoted: true, memberships: false };
-const UNIQUE: Rules = Rules { positive: true, unique: true, quoted: true, memberships: false };
+const ANY: Rules = Rules {
+    positive: false,
+    unique: false,
+    quoted: false,
+    memberships: false,
+    numberless: false,
+    names: Names::Any,
+    without: None,
+};
+const POSITIVE: Rules = Rules { positive: true, quoted: true, ..ANY };
+const UNIQUE: Rules = Rules { unique: true, ..POSITIVE };
 
 fn written(mesh: &Mesh, rules: Rules) -> Vec<(u8, Tag, String)> {
     let (table, _) = Table::new(mesh, rules);
@@ -142,4 +151,38 @@ fn groups_agree_by_name_then_by_number() {
     assert!(agree(1, (0, &none), (9, &group(9, "interface"))));
     assert!(!agree(1, (9, &none), (9, &group(9, "boundary"))));
     assert!(agree(1, (3, &group(3, "a\"b")), (3, &group(3, "a'b"))), "as .msh writes it");
+}
+
+#[test]
+fn names_are_made_words_where_they_must_be() {
+    let names =
+        [(1, 1, "no slip"), (1, 2, "2nd wall"), (1, 3, "No_slip"), (2, 1, "süd\u{7}no slip")];
+    let mesh = square([1, 1], [1, 2, 3, 3, 3], &names);
+    let plain = Rules { names: Names::Plain, ..ANY };
+    let expected =
+        [(1, 1, "no_slip"), (1, 2, "g_2nd_wall"), (1, 3, "No_slip_2"), (2, 1, "s_d_no_slip")];
+    assert_eq!(written(&mesh, plain), named(&expected));
+    assert!(said(&mesh, plain).contains(&"the name `2nd wall` is written as `g_2nd_wall`".into()));
+    let words = Rules { names: Names::Words, ..ANY };
+    let expected =
+        [(1, 1, "no_slip"), (1, 2, "2nd_wall"), (1, 3, "No_slip"), (2, 1, "süd_no_slip")];
+    assert_eq!(written(&mesh, words), named(&expected));
+}
+
+#[test]
+fn nothing_is_said_of_what_a_format_does_not_hold() {
+    let mesh = square([1, 0], [1, 0, 0, 0, 0], &[(1, 1, "wall"), (2, 1, "a\tb")]);
+    let numberless = Rules { numberless: true, ..ANY };
+    assert_eq!(
+        said(&mesh, Rules { without: Some(2), ..numberless }),
+        ["untagged edges are group `boundary`", "untagged edges are group `interface`",]
+    );
+    assert_eq!(
+        said(&mesh, Rules { without: Some(1), ..numberless }),
+        [
+            "the name `a\tb` is written as `a b`",
+            "untagged triangles are group `region`",
+            "the name `a b` holds a space; some solvers cut it there",
+        ]
+    );
 }

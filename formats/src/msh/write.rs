@@ -6,6 +6,7 @@
 
 mod data;
 mod entities;
+mod layer;
 mod scribe;
 #[cfg(test)]
 mod tests;
@@ -79,8 +80,13 @@ pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
 /// Those of `out`; [`io::ErrorKind::FileTooLarge`] for more nodes or elements than a file with
 /// numbers of 32 bits can count.
 pub fn write_with(mesh: &Mesh, options: Options, out: &mut impl Write) -> io::Result<Vec<Note>> {
-    let rules =
-        Rules { positive: true, unique: options.unique_ids, quoted: true, memberships: true };
+    let rules = Rules {
+        positive: true,
+        unique: options.unique_ids,
+        quoted: true,
+        memberships: true,
+        ..Rules::default()
+    };
     let (table, mut notes) = Table::new(mesh, rules);
     let nodes = Nodes::new(mesh, options.order)?;
     let mut scribe = Scribe::new(out, options.binary);
@@ -105,6 +111,20 @@ fn names(scribe: &mut Scribe<impl Write>, table: &Table) -> io::Result<()> {
         scribe.text(&format!("{dim} {number} \"{name}\"\n"))?;
     }
     scribe.text("$EndPhysicalNames\n")
+}
+
+/// Writes a mesh as one layer of prisms, which is how OpenFOAM takes a plane domain: `gmshToFoam`
+/// reads the file.
+///
+/// Triangles become prisms of this thickness from z = 0 on, edges become quadrangles, and the
+/// triangles of both ends are a group of their own, `frontAndBack`. Regions are groups of volumes,
+/// boundaries of surfaces. The version is 2.2, as text; names are single words. Groups of points,
+/// further groups of an edge and data are not written.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_layer(mesh: &Mesh, thickness: f64, out: &mut impl Write) -> io::Result<Vec<Note>> {
+    layer::write(mesh, thickness, out)
 }
 
 /// Gmsh's numbers of the kinds of elements.

@@ -6,9 +6,10 @@
 
 use std::io::{self, Write};
 
-use super::entities::{Entities, Entity};
+use super::entities::Entities;
 use super::kinds;
 use super::scribe::Scribe;
+use crate::blocks::Blocks;
 use crate::groups::Table;
 use crate::nodes::Nodes;
 
@@ -55,12 +56,13 @@ fn write_nodes(
     nodes: &Nodes,
     entities: &Entities,
 ) -> io::Result<()> {
-    let blocks = Blocks::new(&entities.of_nodes, &entities.all);
+    let blocks = blocks(&entities.of_nodes, entities);
     scribe.text("$Nodes\n")?;
     let (blocks_in_use, count) = (blocks.in_use().count(), nodes.len());
     [blocks_in_use, count, count.min(1), count].into_iter().for_each(|size| scribe.size(size));
     scribe.end()?;
     for (entity, items) in blocks.in_use() {
+        let entity = &entities.all[entity];
         scribe.int(entity.dim.into());
         scribe.int(entity.number);
         scribe.int(0); // no parametric coordinates
@@ -89,17 +91,16 @@ fn write_elements(
 ) -> io::Result<usize> {
     let Entities { all, points, of_edges, of_triangles, .. } = entities;
     let of_points: Vec<u32> = (0..points.len() as u32).collect();
-    let point_blocks = Blocks::new(&of_points, all);
-    let edge_blocks = Blocks::new(of_edges, all);
-    let triangle_blocks = Blocks::new(of_triangles, all);
-    let blocks =
-        || point_blocks.in_use().chain(edge_blocks.in_use()).chain(triangle_blocks.in_use());
+    let [points_of, edges_of, triangles_of] =
+        [&of_points, of_edges, of_triangles].map(|of| blocks(of, entities));
+    let blocks = || points_of.in_use().chain(edges_of.in_use()).chain(triangles_of.in_use());
     let before = [of_edges.len(), 0, of_edges.len() + points.len()];
     let count = before[2] + of_triangles.len();
     scribe.text("$Elements\n")?;
     [blocks().count(), count, count.min(1), count].into_iter().for_each(|size| scribe.size(size));
     scribe.end()?;
     for (entity, items) in blocks() {
+        let entity = &all[entity];
         let dim = usize::from(entity.dim);
         scribe.int(entity.dim.into());
         scribe.int(entity.number);
@@ -121,34 +122,7 @@ fn write_elements(
     Ok(count)
 }
 
-/// Items sorted by their entities.
-struct Blocks<'a> {
-    entities: &'a [Entity],
-    items: Vec<u32>,
-    /// Where the block of each entity starts in `items`, and where the last one ends.
-    starts: Vec<usize>,
-}
-
-impl<'a> Blocks<'a> {
-    fn new(of: &[u32], entities: &'a [Entity]) -> Self {
-        let mut starts = vec![0; entities.len() + 1];
-        of.iter().for_each(|&entity| starts[entity as usize + 1] += 1);
-        for entity in 0..entities.len() {
-            starts[entity + 1] += starts[entity];
-        }
-        let mut next = starts.clone();
-        let mut items = vec![0; of.len()];
-        for (item, &entity) in (0..).zip(of) {
-            let place = &mut next[entity as usize];
-            items[*place] = item;
-            *place += 1;
-        }
-        Self { entities, items, starts }
-    }
-
-    /// The blocks that hold something.
-    fn in_use(&self) -> impl Iterator<Item = (&'a Entity, &[u32])> {
-        let ranges = self.starts.windows(2).map(|ends| &self.items[ends[0]..ends[1]]);
-        self.entities.iter().zip(ranges).filter(|(_, items)| !items.is_empty())
-    }
+/// Items by their entities.
+fn blocks(of: &[u32], entities: &Entities) -> Blocks {
+    Blocks::new(of.iter().map(|&entity| entity as usize), entities.all.len())
 }
