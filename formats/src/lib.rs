@@ -3,15 +3,18 @@
 //! [`Pslg`] is what every outline reader makes, [`Mesh`] what every mesh writer takes. This crate
 //! knows files and flat arrays; it knows no geometry.
 //!
-//! Outlines: [`poly`], [`node`], [`obj`], [`geo`]. Meshes: [`msh`], [`vtu`], [`vtk`], [`vtp`] and [`gltf`] (written only), and Triangle's
-//! files, each of which holds a part: [`node`] and [`ele`], with the edges in [`poly`]; [`edge`]
-//! and [`neigh`] (written only); [`area`] (read only). A reader takes text and a name for its messages; it returns what
-//! it read and what it passed over ([`Warning`]). A writer takes a [`std::io::Write`] and returns
-//! what became of the tags ([`groups::Note`]).
+//! Outlines: [`poly`], [`node`], [`obj`], [`geo`]. Meshes: [`msh`] and [`vtu`]; Triangle's files,
+//! each of which holds a part: [`node`] and [`ele`], with the edges in [`poly`]; [`area`] (read
+//! only). Written only: [`vtk`], [`vtp`], [`gltf`], [`medit`], [`su2`], [`inp`], [`xdmf`], [`stl`],
+//! [`obj`] of a mesh, [`edge`] and [`neigh`].
+//!
+//! A reader takes text and a name for its messages; it returns what it read and what it passed over
+//! ([`Warning`]). A writer takes a [`std::io::Write`] and returns what became of the tags
+//! ([`groups::Note`]). [`selection`] takes parts of a mesh.
 
 pub mod area;
-mod assembly;
 mod arrays;
+mod assembly;
 mod attributes;
 mod base64;
 mod blocks;
@@ -29,8 +32,8 @@ mod mesh;
 pub mod msh;
 pub mod neigh;
 pub mod node;
-mod numbering;
 mod nodes;
+mod numbering;
 pub mod obj;
 pub mod poly;
 mod pslg;

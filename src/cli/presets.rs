@@ -1,7 +1,6 @@
 //! What each solver wants of a file: the presets of `--for`.
 //!
-//! A preset fills in what the user leaves open; what is asked for beside it stays. Each was tried
-//! with the solver itself, but for those that say otherwise.
+//! A preset fills in what the user leaves open; what is asked for beside it stays.
 
 use meshwright::formats::msh::Version;
 use meshwright::formats::selection::Cells;

@@ -127,9 +127,9 @@ fn a_mesh_is_refined_to_its_areas_as_an_outline() {
 #[test]
 fn formats_that_hold_the_other_thing_are_refused() {
     let bench = Bench::with("refused", "frame.obj", FRAME);
-    let ran = bench.run("mesh frame.obj -o mesh.obj");
+    let ran = bench.run("mesh frame.obj -o mesh.geo");
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
-    assert!(ran.stderr.contains("Wavefront OBJ holds no meshes"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("Gmsh .geo holds no meshes"), "{}", ran.stderr);
     let ran = bench.run("convert frame.obj frame.msh");
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert!(ran.stderr.contains("outlines are written to .poly, .obj"), "{}", ran.stderr);

@@ -38,6 +38,7 @@ def in_gmsh(rooms):
     gmsh.logger.start()
     gmsh.open(str(rooms.msh))
     yield gmsh.model
+    gmsh.logger.stop()
     gmsh.finalize()
 
 
