@@ -53,8 +53,6 @@ pub struct Arguments {
     /// Write the mended outline to this .poly or .obj file.
     #[arg(long, value_name = "FILE", requires = "repair")]
     write_repaired: Option<PathBuf>,
-    #[command(flatten)]
-    write: WriteOptions,
     /// Let any warning end the command with exit code 4.
     #[arg(long)]
     strict: bool,
@@ -65,6 +63,8 @@ pub struct Arguments {
     /// Print one JSON object about the run.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    write: WriteOptions,
 }
 
 /// Meshes.

@@ -17,11 +17,12 @@ pub enum Solver {
     Paraview,
     /// FEniCSx (DOLFINx): .msh 4.1, where an edge in two groups is one facet; or .xdmf.
     Fenicsx,
-    /// MFEM: .msh 2.2.
+    /// MFEM: .msh 2.2, every edge once.
     Mfem,
-    /// scikit-fem: .msh 2.2 with unique ids, for it mixes up a region and a boundary of one number.
+    /// scikit-fem: .msh 2.2 with unique ids, for it mixes up a region and a boundary of one number;
+    /// every edge once, for it keeps the last group.
     ScikitFem,
-    /// deal.II: .msh 2.2 without edges between triangles, which it refuses.
+    /// deal.II: .msh 2.2 without edges between triangles, which it refuses; every edge once.
     Dealii,
     /// NGSolve: .msh 2.2, every group with a name.
     Ngsolve,
@@ -54,6 +55,8 @@ pub struct Preset {
     pub interior: Interior,
     /// Whether no number may serve a boundary and a region.
     pub unique_ids: bool,
+    /// Whether an edge stands there once, in its first group alone.
+    pub one_group: bool,
     /// The thickness of the layer that the mesh becomes.
     pub layer: Option<f64>,
 }
@@ -65,6 +68,7 @@ const PLAIN: Preset = Preset {
     cells: Cells::All,
     interior: Interior::Keep,
     unique_ids: false,
+    one_group: false,
     layer: None,
 };
 
@@ -76,9 +80,13 @@ impl Solver {
             Self::Gmsh => Preset { version: Version::V4_1, ..PLAIN },
             Self::Paraview => Preset { formats: &[Vtu, Vtk, Vtp, Xdmf, Gltf], ..PLAIN },
             Self::Fenicsx => Preset { formats: &[Msh, Xdmf], version: Version::V4_1, ..PLAIN },
-            Self::Mfem | Self::Ngsolve | Self::Elmer => PLAIN,
-            Self::ScikitFem => Preset { formats: &[Msh, Vtu], unique_ids: true, ..PLAIN },
-            Self::Dealii => Preset { interior: Interior::Drop, ..PLAIN },
+            Self::Ngsolve | Self::Elmer => PLAIN,
+            Self::Mfem => Preset { one_group: true, ..PLAIN },
+            Self::ScikitFem => {
+                let formats = &[Msh, Vtu];
+                Preset { formats, unique_ids: true, one_group: true, ..PLAIN }
+            }
+            Self::Dealii => Preset { interior: Interior::Drop, one_group: true, ..PLAIN },
             Self::Getdp => Preset { unique_ids: true, ..PLAIN },
             Self::Freefem => Preset { formats: &[Medit], ..PLAIN },
             Self::Sfepy => Preset { formats: &[Medit], cells: Cells::Faces, ..PLAIN },

@@ -204,8 +204,9 @@ impl WriteOptions {
 
     fn msh(&self) -> msh::Options {
         let unique_ids = self.unique_ids || self.preset().is_some_and(|preset| preset.unique_ids);
+        let one_group = self.preset().is_some_and(|preset| preset.one_group);
         let (version, binary, order) = (self.version(), self.binary, self.order());
-        msh::Options { version, binary, order, unique_ids }
+        msh::Options { version, binary, order, one_group, unique_ids }
     }
 
     fn xml(&self) -> vtu::Options {

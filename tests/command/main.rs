@@ -11,3 +11,4 @@ mod schema;
 mod signals;
 mod tracing;
 mod triangle;
+mod writing;

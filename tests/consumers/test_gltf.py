@@ -1,5 +1,6 @@
 """The `.glb` file before the Khronos validator, and what it holds."""
 
+import base64
 import json
 import struct
 import subprocess
@@ -19,6 +20,11 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 def parse(path):
     """The JSON and the binary chunk."""
     data = path.read_bytes()
+    if path.suffix == ".gltf":
+        document = json.loads(data)
+        kind, text = document["buffers"][0]["uri"].split(",")
+        assert kind == "data:application/octet-stream;base64"
+        return document, base64.b64decode(text, validate=True)
     magic, version, length = struct.unpack_from("<4sII", data)
     assert (magic, version, length) == (b"glTF", 2, len(data))
     size, kind = struct.unpack_from("<I4s", data, 12)
@@ -49,16 +55,53 @@ def gltf(rooms):
     return parse(rooms.glb)
 
 
-@pytest.mark.parametrize("mesh", ["rooms", "untagged"])
-def test_the_validator_has_nothing_to_say(mesh, request):
-    file = request.getfixturevalue(mesh).glb
+def validate(file):
+    """What the validator reports, which must be no error and no warning."""
     done = subprocess.run(
         ["node", HERE / "validate_gltf.cjs", file], capture_output=True, text=True, check=True
     )
     report = json.loads(done.stdout)
     issues = report["issues"]
     assert issues["numErrors"] == issues["numWarnings"] == 0, issues["messages"]
-    assert report["info"]["totalTriangleCount"] == len(request.getfixturevalue(mesh).mesh.triangles)
+    return report
+
+
+@pytest.mark.parametrize("mesh", ["rooms", "untagged"])
+def test_the_validator_has_nothing_to_say(mesh, request):
+    files = request.getfixturevalue(mesh)
+    assert validate(files.glb)["info"]["totalTriangleCount"] == len(files.mesh.triangles)
+
+
+@pytest.mark.parametrize("color", ["region", "quality"])
+@pytest.mark.parametrize("name", ["rooms.glb", "rooms.gltf"])
+def test_the_validator_has_nothing_to_say_of_text_and_colours(name, color, named_rooms):
+    report = validate(named_rooms(name, "--color", color))
+    assert report["info"]["totalTriangleCount"] > 0
+
+
+@pytest.mark.parametrize("color", ["region", "quality"])
+def test_text_holds_what_bytes_hold(color, named_rooms):
+    text, binary = (parse(named_rooms(f"rooms.{end}", "--color", color)) for end in ("gltf", "glb"))
+    del text[0]["buffers"][0]["uri"]
+    assert text == binary
+
+
+def test_worse_triangles_are_darker(named_rooms):
+    gltf = parse(named_rooms("rooms.glb", "--color", "quality"))
+    for (dim, _), node in groups(gltf).items():
+        [primitive] = gltf[0]["meshes"][node["mesh"]]["primitives"]
+        if dim == 1:
+            continue
+        corners = array(gltf, primitive["attributes"]["POSITION"]).reshape(-1, 3, 3)
+        colors = array(gltf, primitive["attributes"]["COLOR_0"]).reshape(-1, 3, 4)
+        assert (colors == colors[:, :1]).all(), "one colour for each triangle"
+        sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).astype(float)
+        area = np.abs(np.linalg.det(corners[:, 1:, :2] - corners[:, :1, :2])) / 2
+        shortest = sides.min(axis=1)
+        sine = 2 * area * shortest / sides.prod(axis=1)  # of the smallest angle
+        green = colors[:, 0, 1].astype(int)
+        order = np.argsort(sine)
+        assert (np.diff(green[order]) >= -1).all()
 
 
 def groups(gltf):

@@ -105,3 +105,23 @@ def test_the_error_of_a_smooth_solution_falls_with_the_square_of_the_size(tmp_pa
         errors.append(norm_of_error(basis, solve(basis, exact, source), exact))
     orders = np.log2(np.array(errors[:-1]) / errors[1:])
     assert orders.mean() == pytest.approx(2, abs=0.25), errors
+
+
+@pytest.mark.parametrize("name", ["rooms.msh", "rooms.vtu"])
+def test_what_is_written_for_it_has_all_names(name, named_rooms):
+    mesh = skfem.MeshTri.load(named_rooms(name, "--for", "scikit-fem"))
+    assert set(mesh.subdomains) == {"hall", "cabinet"}
+    assert {"wall", "left", "right", "pillar"} <= set(mesh.boundaries)
+    for tag, name in ((1, "wall"), (2, "left"), (9, "pillar")):
+        ends = mesh.p[:, mesh.facets[:, mesh.boundaries[name]]]
+        lengths = np.hypot(*(ends[:, 1] - ends[:, 0]))
+        assert lengths.sum() == pytest.approx(answers.LENGTHS[tag], rel=1e-12)
+
+
+def test_second_order_elements_are_read(named_rooms):
+    mesh = skfem.Mesh.load(named_rooms("rooms.msh", "--order", "2"))
+    assert isinstance(mesh, skfem.MeshTri2)
+    area = skfem.Functional(lambda w: 1 + 0 * w.x[0]).assemble(
+        skfem.Basis(mesh, skfem.ElementTriP2())
+    )
+    assert area == pytest.approx(sum(answers.AREAS.values()), rel=1e-12)

@@ -3,24 +3,10 @@
 import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkCommonDataModel import VTK_LINE, VTK_TRIANGLE
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 import answers
-
-
-def read(path):
-    """The grid; a warning or an error of the reader fails the test."""
-    complaints = []
-    reader = vtkXMLUnstructuredGridReader()
-    for event in (vtkCommand.ErrorEvent, vtkCommand.WarningEvent):
-        reader.AddObserver(event, lambda *event: complaints.append(event[1]))
-    reader.SetFileName(str(path))
-    reader.Update()
-    assert complaints == []
-    assert reader.GetErrorCode() == 0
-    return reader.GetOutput()
+from vtk_files import read
 
 
 @pytest.fixture(scope="module")

@@ -4,11 +4,9 @@ import meshio
 import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkCommand
-from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 import answers
+from vtk_files import read
 
 XML = [
     ("--vtk-encoding", encoding, *compress)
@@ -21,25 +19,7 @@ GRIDS = [
     for name, kinds in (("rooms.vtu", XML), ("rooms.vtk", [(), ("--binary",)]))
     for options in kinds
 ]
-READERS = {
-    ".vtu": vtkXMLUnstructuredGridReader,
-    ".vtk": vtkUnstructuredGridReader,
-    ".vtp": vtkXMLPolyDataReader,
-}
 LINE, TRIANGLE, LINE_3, TRIANGLE_6 = 3, 5, 21, 22
-
-
-def read(path):
-    """What VTK reads; a warning or an error of the reader fails the test."""
-    complaints = []
-    reader = READERS[path.suffix]()
-    for event in (vtkCommand.ErrorEvent, vtkCommand.WarningEvent):
-        reader.AddObserver(event, lambda *event: complaints.append(event[1]))
-    reader.SetFileName(str(path))
-    reader.Update()
-    assert complaints == []
-    assert reader.GetErrorCode() == 0
-    return reader.GetOutput()
 
 
 def arrays(data):

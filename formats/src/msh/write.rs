@@ -30,6 +30,9 @@ pub struct Options {
     pub binary: bool,
     /// How many nodes an element has.
     pub order: Order,
+    /// Write an edge once, in its first group alone, and no groups of points: for programs that would
+    /// count an edge twice, or keep its last group.
+    pub one_group: bool,
     /// Renumber the groups so that no number serves a boundary and a region: regions 1, 2, …,
     /// then boundaries.
     pub unique_ids: bool,
@@ -84,7 +87,7 @@ pub fn write_with(mesh: &Mesh, options: Options, out: &mut impl Write) -> io::Re
         positive: true,
         unique: options.unique_ids,
         quoted: true,
-        memberships: true,
+        memberships: !options.one_group,
         ..Rules::default()
     };
     let (table, mut notes) = Table::new(mesh, rules);

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::write::vertices;
 use crate::blocks::Blocks;
 use crate::groups::{Names, Note, Rules, Table};
 use crate::mesh::Mesh;
@@ -36,13 +37,7 @@ pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
     let (table, mut notes) = Table::new(mesh, rules);
     notes.extend(Note::data_not_held(mesh));
     let mut rows = Rows::new(out);
-    for &[x, y] in &mesh.points {
-        rows.text("v ")?;
-        rows.real(x);
-        rows.real(y);
-        rows.integer(0);
-        rows.end()?;
-    }
+    vertices(&mesh.points, &mut rows)?;
     let regions = (0..mesh.triangles.len()).map(|t| table.region(mesh.triangle_tag(t)));
     for (group, triangles) in Blocks::new(regions, table.entries.len()).in_use() {
         rows.text(&format!("g {}\n", table.entries[group].name))?;

@@ -39,13 +39,7 @@ pub fn write_outline(outline: &Pslg, out: &mut impl Write) -> io::Result<Vec<Not
     let mut notes = not_held(outline);
     let names = group_names(outline, &mut notes);
     let mut rows = Rows::new(out);
-    for &[x, y] in &outline.points {
-        rows.text("v ")?;
-        rows.real(x);
-        rows.real(y);
-        rows.integer(0);
-        rows.end()?;
-    }
+    vertices(&outline.points, &mut rows)?;
     let mut last = 0;
     for line in polylines(outline) {
         if line.tag != last {
@@ -66,6 +60,18 @@ pub fn write_outline(outline: &Pslg, out: &mut impl Write) -> io::Result<Vec<Not
     }
     rows.finish()?;
     Ok(notes)
+}
+
+/// Writes points as vertices; z is 0.
+pub(super) fn vertices(points: &[[f64; 2]], rows: &mut Rows<impl Write>) -> io::Result<()> {
+    for &[x, y] in points {
+        rows.text("v ")?;
+        rows.real(x);
+        rows.real(y);
+        rows.integer(0);
+        rows.end()?;
+    }
+    Ok(())
 }
 
 fn tag(outline: &Pslg, segment: usize) -> Tag {

@@ -76,6 +76,24 @@ fn version_4_as_text() {
 }
 
 #[test]
+fn an_edge_may_be_in_one_group_alone() {
+    for version in [Version::V2_2, Version::V4_1] {
+        let options = Options { version, one_group: true, ..Options::default() };
+        let mut text = Vec::new();
+        let notes = write_with(&square(), options, &mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        assert!(!text.contains("corner") && !text.contains("boundary_4"), "{text}");
+        let elements = text.split("$Elements\n").nth(1).unwrap();
+        let count = if version == Version::V2_2 { "4\n" } else { "3 4 1 4\n" };
+        assert!(elements.starts_with(count), "{text}");
+        let said: Vec<String> = notes.iter().map(Note::to_string).collect();
+        assert!(said.contains(&"the point group `corner` is not written".to_owned()), "{said:?}");
+        let further = "edges keep one group each; 1 further memberships are not written";
+        assert!(said.contains(&further.to_owned()), "{said:?}");
+    }
+}
+
+#[test]
 fn second_order_elements_have_the_middles_of_their_sides() {
     let text = text(Version::V2_2, Order::Second);
     let nodes = "$Nodes\n9\n1 0 0 0\n2 2 0 0\n3 2 2 0\n4 0 0.1 0\n5 1 0 0\n6 1 1 0\n7 0 0.05 0\n\

@@ -14,7 +14,7 @@ pub(super) fn write(
     table: &Table,
 ) -> io::Result<usize> {
     let mesh = nodes.mesh;
-    let count = mesh.memberships.len() + mesh.edges.len() + mesh.triangles.len();
+    let count = table.memberships.len() + mesh.edges.len() + mesh.triangles.len();
     scribe.check(nodes.len().max(count))?;
     write_nodes(scribe, nodes)?;
     scribe.text(&format!("$Elements\n{count}\n"))?;
