@@ -23,6 +23,13 @@ impl Rectangle {
         Self { low: [a[0].min(b[0]), a[1].min(b[1])], high: [a[0].max(b[0]), a[1].max(b[1])] }
     }
 
+    /// The distance between the two rectangles, squared.
+    pub fn gap_squared(&self, other: &Self) -> f64 {
+        let gap =
+            |k: usize| (self.low[k] - other.high[k]).max(other.low[k] - self.high[k]).max(0.0);
+        gap(0) * gap(0) + gap(1) * gap(1)
+    }
+
     /// The smallest rectangle around both.
     pub fn union(self, other: Self) -> Self {
         Self {
@@ -196,6 +203,52 @@ impl Boxes {
             }
         }
         ControlFlow::Continue(())
+    }
+
+    /// The least squared distance of an item of this tree and one of the other (which may be this
+    /// one), if it is less than `bound`; `distance_squared` gives it, infinite for a pair that does
+    /// not count. Each pair of nodes visited is taken from `budget`; the search ends where that is
+    /// used up.
+    pub fn least_distance_squared(
+        &self,
+        other: &Self,
+        mut bound: f64,
+        budget: &mut usize,
+        distance_squared: impl Fn(u32, u32) -> f64,
+    ) -> Option<f64> {
+        let is_itself = std::ptr::eq(self, other);
+        let mut least = None;
+        let mut pending: Vec<[Node; 2]> =
+            self.root().zip(other.root()).map(<[_; 2]>::from).into_iter().collect();
+        while let Some([first, second]) = pending.pop() {
+            if *budget == 0 {
+                break;
+            }
+            *budget -= 1;
+            if self.rectangle(first).gap_squared(other.rectangle(second)) >= bound {
+                continue;
+            }
+            match (self.below(first), other.below(second)) {
+                (Below::Item(item), Below::Item(with)) => {
+                    let distance = distance_squared(item, with);
+                    if distance < bound {
+                        (bound, least) = (distance, Some(distance));
+                    }
+                }
+                // Of a tree with itself each pair is visited once.
+                (Below::Halves([left, right]), _) if is_itself && first == second => {
+                    pending.extend([[left, right], [right, right], [left, left]]);
+                }
+                (Below::Halves([left, right]), _) if first.size() >= second.size() => {
+                    pending.extend([[right, second], [left, second]]);
+                }
+                (_, Below::Halves([left, right])) => {
+                    pending.extend([[first, right], [first, left]]);
+                }
+                (Below::Halves(_), Below::Item(_)) => unreachable!("the larger one has one item"),
+            }
+        }
+        least
     }
 
     /// The nearest item to a point, if one is nearer than the square root of `bound`: its number

@@ -48,6 +48,7 @@ mod corners;
 pub mod domain;
 mod double_double;
 pub mod draw;
+mod hilbert;
 mod outline_of;
 mod parameters;
 pub mod predicates;

@@ -87,9 +87,16 @@ impl Chains {
 }
 
 /// Judges G4, except for the regions' tags.
-pub(super) fn judge(outline: &Outline, complex: &Complex, g4: &mut Judgement) -> Chains {
+///
+/// `at_input`: for each point of the mesh a point of the outline at the very same place, or [`NONE`].
+pub(super) fn judge(
+    outline: &Outline,
+    complex: &Complex,
+    at_input: &[u32],
+    g4: &mut Judgement,
+) -> Chains {
     let mut chains = Chains::nothing(complex, outline.segments.len());
-    chains.vertex = find_points(outline, complex, g4);
+    chains.vertex = find_points(outline, complex, at_input, g4);
     let list = List::new(complex, &mut chains, g4);
     for (input, &v) in (0..).zip(&chains.vertex).filter(|(_, v)| **v != NONE) {
         chains.input[v as usize] = input;
@@ -111,23 +118,16 @@ pub(super) fn judge(outline: &Outline, complex: &Complex, g4: &mut Judgement) ->
 }
 
 /// The point of the mesh at each distinct point of the outline.
-fn find_points(outline: &Outline, complex: &Complex, g4: &mut Judgement) -> Vec<u32> {
+fn find_points(
+    outline: &Outline,
+    complex: &Complex,
+    at_input: &[u32],
+    g4: &mut Judgement,
+) -> Vec<u32> {
     let mut vertex = vec![NONE; outline.points.len()];
-    let mut wanted: Vec<u32> = outline.distinct_points().collect();
-    let given = |v: u32| outline.pslg.points[v as usize];
-    let order = |p: [f64; 2], q: [f64; 2]| {
-        let order = |i: usize| p[i].partial_cmp(&q[i]).unwrap_or(Ordering::Equal);
-        order(0).then(order(1))
-    };
-    wanted.sort_unstable_by(|&v, &w| order(given(v), given(w)));
-    for (v, &p) in complex.mesh.points.iter().enumerate() {
-        // A mesh usually begins with the points of its outline.
-        let direct = (v < vertex.len() && outline.pslg.points[v] == p).then(|| outline.same[v]);
-        let found = direct.or_else(|| {
-            let i = wanted.binary_search_by(|&w| order(given(w), p)).ok()?;
-            Some(wanted[i]).filter(|&w| given(w) == p)
-        });
-        if let Some(w) = found.filter(|&w| w != NONE) {
+    for (v, &at) in at_input.iter().enumerate().filter(|(_, at)| **at != NONE) {
+        let w = outline.same[at as usize];
+        if w != NONE {
             let known = vertex[w as usize];
             if known == NONE || (!complex.used[known as usize] && complex.used[v]) {
                 vertex[w as usize] = v as u32;
@@ -136,7 +136,7 @@ fn find_points(outline: &Outline, complex: &Complex, g4: &mut Judgement) -> Vec<
     }
     for w in outline.distinct_points().filter(|&w| outline.has_point(w)) {
         if vertex[w as usize] == NONE {
-            let fault = Fault::of_mesh(FaultKind::LostPoint, given(w));
+            let fault = Fault::of_mesh(FaultKind::LostPoint, outline.pslg.points[w as usize]);
             g4.add(fault.of_input_point(outline.point_name(w)));
         }
     }

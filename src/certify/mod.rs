@@ -26,6 +26,7 @@ mod exact;
 mod fault;
 mod frame;
 mod hull;
+mod nearby;
 mod nesting;
 mod outline;
 mod precision;
@@ -45,6 +46,7 @@ use angles::{AngleJudgements, Angles, Laid};
 use complex::Complex;
 use conformity::Chains;
 use frame::Frame;
+use nearby::Nearby;
 use outline::Outline;
 use precision::Floor;
 
@@ -84,6 +86,14 @@ use crate::parameters::Region;
 /// ```
 #[must_use]
 pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
+    let nearby = Nearby::new(pslg, mesh);
+    let mut certificate = judge(&nearby, promise);
+    nearby.restore(pslg, &mut certificate);
+    certificate
+}
+
+fn judge(nearby: &Nearby, promise: &Promise) -> Certificate {
+    let Nearby { pslg, mesh, .. } = nearby;
     let mut frame = Frame::new(&pslg.points);
     if promise.region != Region::Global {
         frame = frame.with_output(&mesh.points);
@@ -93,7 +103,7 @@ pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
         Guarantee::ALL.map(Judgement::new);
 
     let complex = Complex::new(mesh, frame, &mut g1);
-    let chains = conformity::judge(&outline, &complex, &mut g4);
+    let chains = conformity::judge(&outline, &complex, &nearby.at_input, &mut g4);
     cover::judge(&outline, &complex, &chains, &mut g1);
     tags::judge_regions(&outline, &complex, &chains, &mut g4);
 
@@ -131,6 +141,14 @@ pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
 /// G3, G7 and G10. The mesh's list of boundary and interface edges is taken for the subsegments.
 #[must_use]
 pub fn certify_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
+    let nothing = Pslg::default();
+    let nearby = Nearby::new(&nothing, mesh);
+    let mut certificate = judge_alone(&nearby.mesh, promise);
+    nearby.restore(&nothing, &mut certificate);
+    certificate
+}
+
+fn judge_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
     const REASON: &str = "it needs the outline";
     let frame = Frame::new(&mesh.points);
     let [mut g1, mut g2, mut g3, mut g4, mut g5, mut g6, mut g7, _, _, mut g10] =

@@ -97,10 +97,10 @@ impl<'a> Outline<'a> {
     fn merge_points(&mut self) {
         let points = &self.points;
         let finite = |v: u32| self.pslg.points[v as usize].iter().all(|x| x.is_finite());
-        let mut sorted: Vec<u32> = (0..points.len() as u32).filter(|&v| finite(v)).collect();
-        sorted.sort_unstable_by(|&v, &w| {
-            by_place(points[v as usize], points[w as usize]).then(v.cmp(&w))
-        });
+        let all = points.iter().copied().zip(0_u32..);
+        let mut placed: Vec<_> = all.filter(|&(_, v)| finite(v)).collect();
+        placed.sort_unstable_by(|&(p, v), &(q, w)| by_place(p, q).then(v.cmp(&w)));
+        let mut sorted: Vec<u32> = placed.into_iter().map(|(_, v)| v).collect();
         let mut same = vec![NONE; points.len()];
         for group in sorted.chunk_by(|&v, &w| points[v as usize] == points[w as usize]) {
             for &v in group {

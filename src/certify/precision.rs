@@ -105,7 +105,12 @@ impl Floor {
 
     /// Whether a triangle has a point in a stretch.
     pub(super) fn covers(&self, triangle: &[u32; 3]) -> bool {
-        triangle.iter().any(|&v| self.limited[v as usize])
+        self.is_anywhere() && triangle.iter().any(|&v| self.limited[v as usize])
+    }
+
+    /// Whether doubles end anywhere in the mesh.
+    fn is_anywhere(&self) -> bool {
+        !self.apexes.is_empty() || !self.narrows.is_empty()
     }
 
     /// Whether the cavity of the circumcenter of triangle `t` has a point in a stretch. There the
@@ -113,7 +118,7 @@ impl Floor {
     /// rounding makes no star: it was refused, and the triangle is as it is because of the stretch,
     /// though it has no point there.
     pub(super) fn stops(&self, complex: &Complex, chains: &Chains, t: usize) -> bool {
-        if self.apexes.is_empty() && self.narrows.is_empty() {
+        if !self.is_anywhere() {
             return false;
         }
         let center = circumcenter(complex.triangles[t].map(|v| complex.at(v)));

@@ -131,20 +131,19 @@ impl Augmented {
         let pieces: Vec<_> = self.pieces.iter().map(|&piece| around(piece)).collect();
         let (points, pieces) = (Boxes::new(&points), Boxes::new(&pieces));
         let mut budget = MOST_VISITS_PER_POINT * features.len();
-        for &v in &features {
-            let to_point = |i: u32| match features[i as usize] {
-                w if w == v => f64::INFINITY,
-                w => squared(at(v), at(w)),
-            };
-            let to_piece = |i: u32| match self.pieces[i as usize] {
-                ends if ends.contains(&v) => f64::INFINITY,
-                [a, b] => squared_from_segment(at(v), at(a), at(b)),
-            };
-            let found = points.nearest(at(v), least, &mut budget, |_| false, to_point);
-            least = found.map_or(least, |(_, squared)| squared);
-            let found = pieces.nearest(at(v), least, &mut budget, |_| false, to_piece);
-            least = found.map_or(least, |(_, squared)| squared);
-        }
+        let place = |i: u32| at(features[i as usize]);
+        let between_points = |i: u32, j: u32| match i == j {
+            true => f64::INFINITY,
+            false => squared(place(i), place(j)),
+        };
+        let to_piece = |i: u32, piece: u32| match self.pieces[piece as usize] {
+            ends if ends.contains(&features[i as usize]) => f64::INFINITY,
+            [a, b] => squared_from_segment(place(i), at(a), at(b)),
+        };
+        let found = points.least_distance_squared(&points, least, &mut budget, between_points);
+        least = found.unwrap_or(least);
+        let found = points.least_distance_squared(&pieces, least, &mut budget, to_piece);
+        least = found.unwrap_or(least);
         (budget > 0 && least.is_finite()).then(|| 0.5 * least.sqrt())
     }
 }

@@ -1,0 +1,212 @@
+//! Renumbering: what is near in the plane is near in memory.
+//!
+//! A mesh has its points in the order in which they came to be. Judged in that order, each triangle
+//! would wait for three places of memory far apart. So the judge works on copies, in which points
+//! stand in the order of a Hilbert curve and triangles in that of their first points, and gives
+//! what it found the numbers of the mesh and of the outline again.
+
+use std::cmp::Ordering;
+
+use super::complex::NONE;
+use super::fault::{Fault, FaultKind, Numbered};
+use super::verdict::{Certificate, NarrowTo};
+use crate::formats::{Membership, Mesh, Pslg, Source};
+use crate::hilbert::Curve;
+
+/// An outline and a mesh with other numbers of points and triangles.
+pub(super) struct Nearby {
+    /// The outline. Its segments keep their numbers.
+    pub(super) pslg: Pslg,
+    /// The mesh. Its edges keep theirs.
+    pub(super) mesh: Mesh,
+    /// By point of the mesh: the point of the outline at the very same place, the first of several;
+    /// or [`NONE`].
+    pub(super) at_input: Vec<u32>,
+    /// The old numbers of the outline's points and of the mesh's points and triangles.
+    inputs: Vec<u32>,
+    points: Vec<u32>,
+    triangles: Vec<u32>,
+}
+
+impl Nearby {
+    /// Copies what is judged of an outline and a mesh.
+    pub(super) fn new(pslg: &Pslg, mesh: &Mesh) -> Self {
+        let curve = curve_through(&pslg.points, &mesh.points);
+        let (inputs, points) = (along(curve, &pslg.points), along(curve, &mesh.points));
+        let triangles = by_first_point(&mesh.triangles, &inverse(&points));
+        let (pslg, mesh) = (outline(pslg, &inputs), renumbered(mesh, &points, &triangles));
+        Self {
+            at_input: places_in_common(curve, &mesh.points, &pslg.points),
+            pslg,
+            mesh,
+            inputs,
+            points,
+            triangles,
+        }
+    }
+
+    /// Gives everything that a certificate names its number in the mesh or the outline.
+    pub(super) fn restore(&self, pslg: &Pslg, certificate: &mut Certificate) {
+        let input = |numbered: &mut Numbered| {
+            if let Some(&index) = self.inputs.get(numbered.index as usize) {
+                *numbered = Numbered { index, number: pslg.source.point_number(index) };
+            }
+        };
+        for judgement in &mut certificate.judgements {
+            for faults in [&mut judgement.first, &mut judgement.first_limited] {
+                for fault in faults.iter_mut() {
+                    self.restore_fault(fault);
+                    fault.input_point.iter_mut().for_each(input);
+                }
+                faults.sort_by_key(|fault| (fault.triangle, fault.point, fault.edge));
+            }
+        }
+        for angle in &mut certificate.excused {
+            angle.triangle = self.triangles[angle.triangle as usize];
+            angle.edge = angle.edge.map(|v| self.points[v as usize]);
+        }
+        certificate.excused.sort_by_key(|angle| (angle.triangle, angle.edge));
+        certificate.apexes.iter_mut().for_each(|apex| input(&mut apex.point));
+        for narrow in &mut certificate.narrows {
+            input(&mut narrow.point);
+            if let NarrowTo::Point(point) = &mut narrow.to {
+                input(point);
+            }
+        }
+    }
+
+    fn restore_fault(&self, fault: &mut Fault) {
+        let point = |v: &mut u32| *v = self.points.get(*v as usize).copied().unwrap_or(*v);
+        fault.triangle.iter_mut().for_each(|t| *t = self.triangles[*t as usize]);
+        fault.edge.iter_mut().flatten().for_each(point);
+        fault.point.iter_mut().for_each(point);
+        if let FaultKind::Broken { until } = &mut fault.kind {
+            until.iter_mut().for_each(point);
+        }
+    }
+}
+
+/// The curve through all that is finite.
+fn curve_through(outline: &[[f64; 2]], mesh: &[[f64; 2]]) -> Curve {
+    let finite = outline.iter().chain(mesh).filter(|p| p.iter().all(|x| x.is_finite()));
+    let nothing = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    let (low, high) = finite.fold(nothing, |(low, high), p| {
+        ([0, 1].map(|i| low[i].min(p[i])), [0, 1].map(|i| high[i].max(p[i])))
+    });
+    Curve::new(low, high)
+}
+
+/// The points' numbers along a curve. Where it cannot tell them apart they stand as [`by_place`]
+/// says, so that two lists along one curve can be compared step by step.
+fn along(curve: Curve, points: &[[f64; 2]]) -> Vec<u32> {
+    let keyed = points.iter().zip(0_u64..).map(|(&p, i)| u64::from(curve.place(p)) << 32 | i);
+    let mut keyed: Vec<u64> = keyed.collect();
+    keyed.sort_unstable();
+    for same in keyed.chunk_by_mut(|a, b| a >> 32 == b >> 32).filter(|same| same.len() > 1) {
+        let at = |keyed: u64| points[keyed as u32 as usize];
+        same.sort_unstable_by(|&a, &b| by_place(at(a), at(b)).then(a.cmp(&b)));
+    }
+    keyed.into_iter().map(|keyed| keyed as u32).collect()
+}
+
+/// From left to right, then from below to above; what is no number comes last.
+fn by_place(p: [f64; 2], q: [f64; 2]) -> Ordering {
+    // (−0 equals 0.)
+    let order = |x: f64, y: f64| x.partial_cmp(&y).unwrap_or_else(|| x.is_nan().cmp(&y.is_nan()));
+    order(p[0], q[0]).then(order(p[1], q[1]))
+}
+
+/// For each point of the first list the first one of the second list at the same place, or [`NONE`].
+/// Both stand as [`along`] puts them.
+fn places_in_common(curve: Curve, points: &[[f64; 2]], others: &[[f64; 2]]) -> Vec<u32> {
+    let order =
+        |p: [f64; 2], q: [f64; 2]| curve.place(p).cmp(&curve.place(q)).then_with(|| by_place(p, q));
+    let mut next = 0;
+    let found = points.iter().map(|&p| {
+        while others.get(next).is_some_and(|&q| order(q, p) == Ordering::Less) {
+            next += 1;
+        }
+        others.get(next).filter(|&&q| q == p).map_or(NONE, |_| next as u32)
+    });
+    found.collect()
+}
+
+/// The new number of each old one.
+fn inverse(old: &[u32]) -> Vec<u32> {
+    let mut new = vec![0; old.len()];
+    for (i, &old) in (0..).zip(old) {
+        new[old as usize] = i;
+    }
+    new
+}
+
+/// The triangles' numbers, in the order of the smallest new number of a point.
+fn by_first_point(triangles: &[[u32; 3]], new: &[u32]) -> Vec<u32> {
+    let first = |corners: &[u32; 3]| {
+        let known = corners.iter().filter_map(|&v| new.get(v as usize));
+        known.min().copied().unwrap_or(0)
+    };
+    let items = triangles.iter().map(first).zip(0..);
+    super::grouped(new.len().max(1), items).1
+}
+
+fn outline(pslg: &Pslg, inputs: &[u32]) -> Pslg {
+    let new = inverse(inputs);
+    let item = |membership: &Membership| match membership.dim {
+        0 => renamed(membership.item, &new),
+        _ => membership.item,
+    };
+    Pslg {
+        points: inputs.iter().map(|&v| pslg.points[v as usize]).collect(),
+        point_sizes: match pslg.point_sizes.len() == inputs.len() {
+            true => inputs.iter().map(|&v| pslg.point_sizes[v as usize]).collect(),
+            false => pslg.point_sizes.clone(),
+        },
+        segments: pslg.segments.iter().map(|ends| ends.map(|v| renamed(v, &new))).collect(),
+        segment_tags: pslg.segment_tags.clone(),
+        enclosed: pslg.enclosed,
+        holes: pslg.holes.clone(),
+        regions: pslg.regions.clone(),
+        groups: pslg.groups.clone(),
+        memberships: pslg.memberships.iter().map(|m| Membership { item: item(m), ..*m }).collect(),
+        source: Source {
+            first_number: pslg.source.first_number,
+            segment_numbers: pslg.source.segment_numbers.clone(),
+            ..Source::default()
+        },
+        ..Pslg::default()
+    }
+}
+
+fn renumbered(mesh: &Mesh, points: &[u32], triangles: &[u32]) -> Mesh {
+    let new = inverse(points);
+    let item = |membership: &Membership| match membership.dim {
+        0 => renamed(membership.item, &new),
+        _ => membership.item,
+    };
+    let tag = |&t: &u32| mesh.triangle_tag(t as usize);
+    let has_tags = !mesh.triangle_tags.is_empty();
+    Mesh {
+        points: points.iter().map(|&v| mesh.points[v as usize]).collect(),
+        provenance: match mesh.provenance.len() == points.len() {
+            true => points.iter().map(|&v| mesh.provenance[v as usize]).collect(),
+            false => Vec::new(),
+        },
+        triangles: triangles
+            .iter()
+            .map(|&t| mesh.triangles[t as usize].map(|v| renamed(v, &new)))
+            .collect(),
+        triangle_tags: if has_tags { triangles.iter().map(tag).collect() } else { Vec::new() },
+        edges: mesh.edges.iter().map(|ends| ends.map(|v| renamed(v, &new))).collect(),
+        edge_tags: mesh.edge_tags.clone(),
+        edge_segments: mesh.edge_segments.clone(),
+        groups: mesh.groups.clone(),
+        memberships: mesh.memberships.iter().map(|m| Membership { item: item(m), ..*m }).collect(),
+        ..Mesh::default()
+    }
+}
+
+/// The new number of a point; one that is none stays none.
+fn renamed(v: u32, new: &[u32]) -> u32 {
+    new.get(v as usize).copied().unwrap_or(v)
+}
