@@ -37,12 +37,12 @@ fn place_of_cell(mut x: u32, mut y: u32) -> u32 {
     for level in (0..16).rev() {
         let (right, up) = (x >> level & 1, y >> level & 1);
         place = place << 2 | ((3 * right) ^ up);
-        if up == 0 {
-            if right == 1 {
-                (x, y) = (!x, !y);
-            }
-            (x, y) = (y, x);
-        }
+        // Below, the lower quarters are turned about, the right one the other way. (All bits or
+        // none: a branch would be taken by chance.)
+        let is_low = up.wrapping_sub(1);
+        let is_turned = right.wrapping_neg() & is_low;
+        let difference = (x ^ y) & is_low;
+        (x, y) = (x ^ is_turned ^ difference, y ^ is_turned ^ difference);
     }
     place
 }

@@ -33,6 +33,9 @@ pub struct Parameters {
     ///
     /// [`refine::incremental`]: crate::refine::incremental
     pub incremental: bool,
+    /// Whether the mesh is judged before it is handed out. Judging takes about as long as meshing;
+    /// [`certify`](crate::certify::certify) can do it later.
+    pub judged: bool,
 }
 
 impl Parameters {
@@ -64,6 +67,7 @@ impl Default for Parameters {
             rule: Rule::default(),
             region: Region::default(),
             incremental: false,
+            judged: true,
         }
     }
 }

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use crate::assemble::assemble;
 use crate::carve::{carve, without_the_outside};
-use crate::certify::{Certificate, Promise, certify};
+use crate::certify::{Certificate, Promise, certify, not_judged};
 use crate::domain::{self, Domain};
 use crate::refine::incremental::Introduction;
 use crate::refine::segments::Segments;
@@ -23,7 +23,8 @@ use crate::{Mesh, Parameters, Pslg, Region};
 pub struct Outcome {
     /// The mesh.
     pub mesh: Mesh,
-    /// What the judge, who shares no code with the refinement, found.
+    /// What the judge, who shares no code with the refinement, found; nothing unless
+    /// [`Parameters::judged`].
     pub certificate: Certificate,
     /// The smallest angle between two adjoining segments; `None` where none adjoin.
     pub smallest_input_angle: Option<InputAngle>,
@@ -215,13 +216,18 @@ fn run(
             .collect(),
         refused_at,
         introduced: introductions.map(|&it| names.introduction(it)).collect(),
-        certificate: certify(pslg, &mesh, &Promise::from(parameters)),
+        certificate: judge(pslg, &mesh, parameters),
         mesh,
         smallest_input_angle: InputAngle::smallest(&domain),
         warnings: warnings.into_iter().map(Warning::Domain).collect(),
         end,
         refused: refinement.refused.subsegments.len() + refinement.refused.triangles.len(),
     })
+}
+
+fn judge(pslg: &Pslg, mesh: &Mesh, parameters: &Parameters) -> Certificate {
+    let promise = Promise::from(parameters);
+    if parameters.judged { certify(pslg, mesh, &promise) } else { not_judged(mesh, &promise) }
 }
 
 fn sizing(parameters: &Parameters, domain: &Domain) -> Sizing {

@@ -124,12 +124,16 @@ fn kinds(mesh: &Mesh) -> Option<Kinds> {
 
 fn groups(mesh: &Mesh) -> Vec<GroupCount> {
     let mut counts = BTreeMap::<(u8, Tag), usize>::new();
-    for edge in 0..mesh.edges.len() {
-        *counts.entry((1, mesh.edge_tags.get(edge).copied().unwrap_or(0))).or_default() += 1;
-    }
-    for triangle in 0..mesh.triangles.len() {
-        let tag = mesh.triangle_tags.get(triangle).copied().unwrap_or(0);
-        *counts.entry((2, tag)).or_default() += 1;
+    for (dim, count, tags) in
+        [(1, mesh.edges.len(), &mesh.edge_tags), (2, mesh.triangles.len(), &mesh.triangle_tags)]
+    {
+        let (tagged, untagged) = (tags.len().min(count), count.saturating_sub(tags.len()));
+        for run in tags[..tagged].chunk_by(|a, b| a == b) {
+            *counts.entry((dim, run[0])).or_default() += run.len();
+        }
+        if untagged > 0 {
+            *counts.entry((dim, 0)).or_default() += untagged;
+        }
     }
     let named = |dim, tag| {
         let group = mesh.groups.iter().find(|g: &&Group| g.dim == dim && g.tag == tag);

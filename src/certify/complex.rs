@@ -221,6 +221,11 @@ impl<'a> Complex<'a> {
         points - edges + self.triangles.len() as i64
     }
 
+    /// The sum of the triangles' areas, in the units of the file.
+    pub(super) fn area_outside(&self) -> f64 {
+        self.frame.area_outside(self.area())
+    }
+
     /// The sum of the triangles' areas, in judged coordinates.
     pub(super) fn area(&self) -> f64 {
         let mut doubled = exact::Double::default();

@@ -126,7 +126,7 @@ fn judge(nearby: &Nearby, promise: &Promise) -> Certificate {
     delaunay::conclude_matrix(&g2, &g3, &mut g10);
 
     let judgements = vec![g1, g2, g3, g4, g5, g6, g7, g8, g9, g10];
-    let mut certificate = conclude(&complex, promise, judgements, angles);
+    let mut certificate = conclude(mesh, promise, judgements, complex.area_outside(), angles);
     certificate.theta_star = Some(theta_star);
     certificate.corollary_2 = corollary_2;
     certificate.kinds = kinds;
@@ -178,7 +178,7 @@ fn judge_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
     ]
     .map(|guarantee| Judgement::not_judged(guarantee, REASON));
     let judgements = vec![g1, g2, g3, g4, g5, g6, g7, g8, g9, g10];
-    let mut certificate = conclude(&complex, promise, judgements, angles);
+    let mut certificate = conclude(mesh, promise, judgements, complex.area_outside(), angles);
     certificate.not_judged = vec![
         "whether the mesh covers what it should (it needs the outline)",
         "whether the outline excuses the smallest angles (it needs the outline)",
@@ -186,18 +186,27 @@ fn judge_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
     certificate
 }
 
+/// The certificate of a mesh that is not judged: it counts, and vouches for nothing.
+#[must_use]
+pub fn not_judged(mesh: &Mesh, promise: &Promise) -> Certificate {
+    const REASON: &str = "it was not asked for";
+    let judgements = Guarantee::ALL.map(|guarantee| Judgement::not_judged(guarantee, REASON));
+    conclude(mesh, promise, judgements.into(), f64::NAN, Angles::default())
+}
+
 fn conclude(
-    complex: &Complex,
+    mesh: &Mesh,
     promise: &Promise,
     judgements: Vec<Judgement>,
+    area: f64,
     angles: Angles,
 ) -> Certificate {
     Certificate {
         promise: *promise,
         judgements,
-        points: complex.mesh.points.len(),
-        triangles: complex.mesh.triangles.len(),
-        area: complex.frame.area_outside(complex.area()),
+        points: mesh.points.len(),
+        triangles: mesh.triangles.len(),
+        area,
         smallest_angle: angles.smallest,
         largest_angle: angles.largest,
         theta_star: None,

@@ -6,6 +6,7 @@
 //! what it found the numbers of the mesh and of the outline again.
 
 use std::cmp::Ordering;
+use std::mem::discriminant;
 
 use super::complex::NONE;
 use super::fault::{Fault, FaultKind, Numbered};
@@ -33,12 +34,16 @@ impl Nearby {
     pub(super) fn new(pslg: &Pslg, mesh: &Mesh) -> Self {
         let curve = curve_through(&pslg.points, &mesh.points);
         let (inputs, points) = (along(curve, &pslg.points), along(curve, &mesh.points));
-        let triangles = by_first_point(&mesh.triangles, &inverse(&points));
-        let (pslg, mesh) = (outline(pslg, &inputs), renumbered(mesh, &points, &triangles));
+        let at_input = places_in_common((&points, &mesh.points), (&inputs, &pslg.points));
+        let [inputs, points] =
+            [inputs, points].map(|keyed| keyed.into_iter().map(|(_, old)| old).collect::<Vec<_>>());
+        let new = inverse(&points);
+        let named: Vec<_> = mesh.triangles.iter().map(|t| t.map(|v| renamed(v, &new))).collect();
+        let triangles = by_first_point(&named, points.len());
         Self {
-            at_input: places_in_common(curve, &mesh.points, &pslg.points),
-            pslg,
-            mesh,
+            at_input,
+            pslg: outline(pslg, &inputs),
+            mesh: renumbered(mesh, &points, &new, &triangles, &named),
             inputs,
             points,
             triangles,
@@ -58,7 +63,12 @@ impl Nearby {
                     self.restore_fault(fault);
                     fault.input_point.iter_mut().for_each(input);
                 }
-                faults.sort_by_key(|fault| (fault.triangle, fault.point, fault.edge));
+                // As they were found, but those of one kind by their numbers.
+                for alike in
+                    faults.chunk_by_mut(|a, b| discriminant(&a.kind) == discriminant(&b.kind))
+                {
+                    alike.sort_by_key(|fault| (fault.triangle, fault.point, fault.edge));
+                }
             }
         }
         for angle in &mut certificate.excused {
@@ -96,17 +106,17 @@ fn curve_through(outline: &[[f64; 2]], mesh: &[[f64; 2]]) -> Curve {
     Curve::new(low, high)
 }
 
-/// The points' numbers along a curve. Where it cannot tell them apart they stand as [`by_place`]
-/// says, so that two lists along one curve can be compared step by step.
-fn along(curve: Curve, points: &[[f64; 2]]) -> Vec<u32> {
-    let keyed = points.iter().zip(0_u64..).map(|(&p, i)| u64::from(curve.place(p)) << 32 | i);
-    let mut keyed: Vec<u64> = keyed.collect();
-    keyed.sort_unstable();
-    for same in keyed.chunk_by_mut(|a, b| a >> 32 == b >> 32).filter(|same| same.len() > 1) {
-        let at = |keyed: u64| points[keyed as u32 as usize];
-        same.sort_unstable_by(|&a, &b| by_place(at(a), at(b)).then(a.cmp(&b)));
+/// The points' places along a curve with their numbers, in that order. Where the curve cannot tell
+/// them apart they stand as [`by_place`] says, so that two lists along one curve can be compared step
+/// by step.
+fn along(curve: Curve, points: &[[f64; 2]]) -> Vec<(u32, u32)> {
+    let mut placed: Vec<_> = points.iter().map(|&p| curve.place(p)).zip(0..).collect();
+    placed.sort_unstable();
+    for same in placed.chunk_by_mut(|a, b| a.0 == b.0).filter(|same| same.len() > 1) {
+        let at = |v: u32| points[v as usize];
+        same.sort_unstable_by(|&(_, v), &(_, w)| by_place(at(v), at(w)).then(v.cmp(&w)));
     }
-    keyed.into_iter().map(|keyed| keyed as u32).collect()
+    placed
 }
 
 /// From left to right, then from below to above; what is no number comes last.
@@ -116,17 +126,23 @@ fn by_place(p: [f64; 2], q: [f64; 2]) -> Ordering {
     order(p[0], q[0]).then(order(p[1], q[1]))
 }
 
-/// For each point of the first list the first one of the second list at the same place, or [`NONE`].
-/// Both stand as [`along`] puts them.
-fn places_in_common(curve: Curve, points: &[[f64; 2]], others: &[[f64; 2]]) -> Vec<u32> {
-    let order =
-        |p: [f64; 2], q: [f64; 2]| curve.place(p).cmp(&curve.place(q)).then_with(|| by_place(p, q));
+/// A list of points as [`along`] gives it, and where they are.
+type Placed<'a> = (&'a [(u32, u32)], &'a [[f64; 2]]);
+
+/// For each point of the first list the first one of the second at the very same place, both by
+/// their new numbers; or [`NONE`].
+fn places_in_common((points, at): Placed, (others, others_at): Placed) -> Vec<u32> {
     let mut next = 0;
-    let found = points.iter().map(|&p| {
-        while others.get(next).is_some_and(|&q| order(q, p) == Ordering::Less) {
+    let found = points.iter().map(|&(place, v)| {
+        let p = at[v as usize];
+        let order = |&(other, w): &(u32, u32)| {
+            other.cmp(&place).then_with(|| by_place(others_at[w as usize], p))
+        };
+        while others.get(next).is_some_and(|other| order(other) == Ordering::Less) {
             next += 1;
         }
-        others.get(next).filter(|&&q| q == p).map_or(NONE, |_| next as u32)
+        let is_same = others.get(next).is_some_and(|other| order(other) == Ordering::Equal);
+        if is_same { next as u32 } else { NONE }
     });
     found.collect()
 }
@@ -140,14 +156,14 @@ fn inverse(old: &[u32]) -> Vec<u32> {
     new
 }
 
-/// The triangles' numbers, in the order of the smallest new number of a point.
-fn by_first_point(triangles: &[[u32; 3]], new: &[u32]) -> Vec<u32> {
-    let first = |corners: &[u32; 3]| {
-        let known = corners.iter().filter_map(|&v| new.get(v as usize));
-        known.min().copied().unwrap_or(0)
+/// The triangles' numbers, in the order of their smallest point.
+fn by_first_point(triangles: &[[u32; 3]], points: usize) -> Vec<u32> {
+    // (What names a point that is not there comes first.)
+    let first = |&[a, b, c]: &[u32; 3]| {
+        let first = a.min(b).min(c);
+        if (first as usize) < points { first } else { 0 }
     };
-    let items = triangles.iter().map(first).zip(0..);
-    super::grouped(new.len().max(1), items).1
+    super::grouped(points.max(1), triangles.iter().map(first).zip(0..)).1
 }
 
 fn outline(pslg: &Pslg, inputs: &[u32]) -> Pslg {
@@ -178,10 +194,15 @@ fn outline(pslg: &Pslg, inputs: &[u32]) -> Pslg {
     }
 }
 
-fn renumbered(mesh: &Mesh, points: &[u32], triangles: &[u32]) -> Mesh {
-    let new = inverse(points);
+fn renumbered(
+    mesh: &Mesh,
+    points: &[u32],
+    new: &[u32],
+    triangles: &[u32],
+    named: &[[u32; 3]],
+) -> Mesh {
     let item = |membership: &Membership| match membership.dim {
-        0 => renamed(membership.item, &new),
+        0 => renamed(membership.item, new),
         _ => membership.item,
     };
     let tag = |&t: &u32| mesh.triangle_tag(t as usize);
@@ -192,12 +213,9 @@ fn renumbered(mesh: &Mesh, points: &[u32], triangles: &[u32]) -> Mesh {
             true => points.iter().map(|&v| mesh.provenance[v as usize]).collect(),
             false => Vec::new(),
         },
-        triangles: triangles
-            .iter()
-            .map(|&t| mesh.triangles[t as usize].map(|v| renamed(v, &new)))
-            .collect(),
+        triangles: triangles.iter().map(|&t| named[t as usize]).collect(),
         triangle_tags: if has_tags { triangles.iter().map(tag).collect() } else { Vec::new() },
-        edges: mesh.edges.iter().map(|ends| ends.map(|v| renamed(v, &new))).collect(),
+        edges: mesh.edges.iter().map(|ends| ends.map(|v| renamed(v, new))).collect(),
         edge_tags: mesh.edge_tags.clone(),
         edge_segments: mesh.edge_segments.clone(),
         groups: mesh.groups.clone(),

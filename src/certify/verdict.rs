@@ -270,7 +270,8 @@ pub struct Certificate {
     pub points: usize,
     /// See [`Certificate::points`].
     pub triangles: usize,
-    /// The area of the mesh, in squared units of its coordinates.
+    /// The area of the mesh, in squared units of its coordinates; no number where the mesh was not
+    /// judged.
     pub area: f64,
     /// The smallest angle, in radians; `None` without triangles.
     pub smallest_angle: Option<f64>,
@@ -306,6 +307,13 @@ impl Certificate {
     #[must_use]
     pub fn verdict(&self, guarantee: Guarantee) -> Verdict {
         self.judgement(guarantee).verdict()
+    }
+
+    /// Whether anything was judged.
+    #[must_use]
+    pub fn is_judged(&self) -> bool {
+        let is_judged = |judgement: &Judgement| judgement.not_judged.is_none();
+        self.judgements.iter().any(is_judged)
     }
 
     /// Whether nothing that was judged fails; what is limited by precision does not fail.

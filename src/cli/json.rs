@@ -324,7 +324,7 @@ pub fn check(
 
 fn certificate(certificate: &Certificate) -> Value {
     json!({
-        "holds": certificate.holds(),
+        "holds": certificate.is_judged() && certificate.holds(),
         "limited_by_precision": certificate.limited(),
         "promise": promise(&certificate.promise),
         "theta_star": certificate.theta_star.map(f64::to_degrees),

@@ -56,6 +56,10 @@ pub struct Arguments {
     /// Let any warning end the command with exit code 4.
     #[arg(long)]
     strict: bool,
+    /// Leave the mesh as it is, unjudged: `meshwright check` can judge it later. Judging takes about
+    /// as long as meshing.
+    #[arg(long, conflicts_with = "certificate")]
+    unjudged: bool,
     /// Write the verdict and the parameters it was judged by to this JSON file, for
     /// `check --certificate`.
     #[arg(long, value_name = "FILE.json")]
@@ -70,7 +74,7 @@ pub struct Arguments {
 /// Meshes.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let formats = arguments.formats(voice)?;
-    let parameters = arguments.refine.parameters()?;
+    let parameters = Parameters { judged: !arguments.unjudged, ..arguments.refine.parameters()? };
     let (mut pslg, input) =
         input::outline(&arguments.input, arguments.from, arguments.read, voice)?;
     check_places(&arguments.places(), &input.files)?;

@@ -157,6 +157,14 @@ impl<'a> Summary<'a> {
     fn say_certificate(&self, voice: &Voice) {
         let certificate = &self.outcome.certificate;
         let (label, text) = match (self.outcome.end, certificate.holds()) {
+            _ if !certificate.is_judged() => {
+                say(
+                    voice,
+                    "unjudged",
+                    "nothing is promised until `meshwright check` has judged it",
+                );
+                return;
+            }
             (End::PointBudget, _) => ("stopped", "at --max-points, so not everything is kept:"),
             (_, false) => ("FAILS", "the judge found what must not be:"),
             _ if certificate.limited() => ("certified", "but for places where doubles end:"),

@@ -13,6 +13,8 @@ pub struct Points {
     pub input: Vec<u32>,
     /// The distinct point that each input point became.
     pub distinct: Vec<u32>,
+    /// The distinct points in the order of the plane sweep.
+    pub order: Vec<u32>,
 }
 
 /// Merges points with equal coordinates (−0 equals 0).
@@ -25,7 +27,8 @@ pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -
             first[pair[1] as usize] = first[pair[0] as usize];
         }
     }
-    let mut merged = Points { points: Vec::new(), input: Vec::new(), distinct: Vec::new() };
+    let mut merged =
+        Points { points: Vec::new(), input: Vec::new(), distinct: Vec::new(), order: Vec::new() };
     let mut duplicates = Vec::new();
     for (index, &same) in (0..).zip(&first) {
         if same == index {
@@ -37,6 +40,11 @@ pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -
             duplicates.push([same, index]);
         }
     }
+    merged.order = order
+        .into_iter()
+        .filter(|&index| first[index as usize] == index)
+        .map(|index| merged.distinct[index as usize])
+        .collect();
     if !duplicates.is_empty() {
         warnings.push(Warning::DuplicatePoints {
             count: duplicates.len(),

@@ -115,12 +115,11 @@ impl Domain {
         let scaled = |place| range::scaled(place, scale_exponent);
 
         let scaled_points = pslg.points.iter().copied().map(scaled).collect();
-        let merge::Points { points, input: input_points, distinct } =
+        let merge::Points { points, input: input_points, distinct, order } =
             merge::points(pslg, scaled_points, &mut warnings);
         let merge::Segments { mut segments, input: mut input_segments, tags: mut segment_tags } =
             merge::segments(pslg, &distinct, &mut warnings);
 
-        let order = lexicographic_order(&points);
         let hull_edges = hull::hull_edges(&points, &order);
         if points.len() < 3 {
             return Err(Error::TooFewPoints { points: points.len() });

@@ -10,10 +10,12 @@
 //! - [`corpus`]: the large collection of outlines, and what is known of each.
 //! - [`survey`]: tables over that collection.
 //! - [`experiments`]: the tables and pictures of the paper, made again.
+//! - [`benchmark`]: meshwright beside other programs.
 //! - [`book`]: the index of the book of the paper.
 //! - [`judge`], [`run`], [`shrink`]: meshing, judging, doing so two thousand times, and making small
 //!   what fails.
 
+pub mod benchmark;
 pub mod book;
 pub mod corpus;
 pub mod experiments;

@@ -1,0 +1,168 @@
+//! Outlines whose meshing is timed. All are made from seeds, but for the world's coasts.
+
+use std::path::Path;
+
+use meshwright::Pslg;
+use meshwright::domain::repair;
+
+use crate::Random;
+use crate::tangle::Tangle;
+
+/// An outline and how it is to be meshed.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Its name in tables and of its file.
+    pub name: &'static str,
+    /// What it is.
+    pub kind: Kind,
+    /// Whether Triangle is asked for `-D`: a Delaunay mesh, which is what meshwright makes.
+    pub is_conforming: bool,
+    /// Whether it is among the cases that take minutes.
+    pub is_large: bool,
+}
+
+/// What is meshed.
+#[derive(Debug, Clone, Copy)]
+pub enum Kind {
+    /// So many random points in the unit square.
+    Points(usize),
+    /// The unit square, in about so many triangles of one size.
+    Square(usize),
+    /// So many random segments in the unit square, cut where they cross.
+    Segments(usize),
+    /// The coasts of the world, as the collection has them.
+    World,
+    /// The coasts of the world in a box, each segment refined to so many of a rough line.
+    RoughWorld(usize),
+}
+
+impl Case {
+    /// All cases.
+    #[must_use]
+    pub fn all() -> Vec<Self> {
+        use Kind::{Points, RoughWorld, Segments, Square, World};
+        let case = |name, kind| Self { name, kind, is_conforming: false, is_large: false };
+        let conforming = |name, kind| Self { is_conforming: true, ..case(name, kind) };
+        let large = |name, kind| Self { is_large: true, ..case(name, kind) };
+        vec![
+            case("points-100k", Points(100_000)),
+            case("points-1M", Points(1_000_000)),
+            case("square-1M", Square(1_000_000)),
+            large("square-5M", Square(5_000_000)),
+            large("square-10M", Square(10_000_000)),
+            conforming("segments-20k", Segments(20_000)),
+            conforming("world50", World),
+            conforming("world-400k", RoughWorld(4)),
+        ]
+    }
+
+    /// The largest area of a triangle, where there is one.
+    ///
+    /// With a largest area A a mesh's triangles have 0.57 A in the middle (measured).
+    #[must_use]
+    pub fn max_area(&self) -> Option<f64> {
+        match self.kind {
+            Kind::Square(triangles) => Some(1.0 / (0.57 * triangles as f64)),
+            _ => None,
+        }
+    }
+
+    /// The outline. `world` holds the world's coasts; `None` without it where it is needed.
+    ///
+    /// # Errors
+    /// What kept it from being read or made.
+    pub fn outline(&self, world: Option<&Path>) -> Result<Option<Pslg>, String> {
+        match self.kind {
+            Kind::Points(count) => Ok(Some(points(count, &mut Random::new(1)))),
+            Kind::Square(_) => Ok(Some(boxed(Pslg::default(), [0.0; 2], [1.0; 2]))),
+            Kind::Segments(count) => segments(count, &mut Random::new(2)).map(Some),
+            Kind::World => world.map(read).transpose(),
+            Kind::RoughWorld(pieces) => {
+                let rough = |world| rough(&read(world)?, pieces, &mut Random::new(3));
+                world.map(rough).transpose()
+            }
+        }
+    }
+}
+
+fn points(count: usize, random: &mut Random) -> Pslg {
+    let points = (0..count).map(|_| [random.unit(), random.unit()]).collect();
+    boxed(Pslg { points, ..Pslg::default() }, [0.0; 2], [1.0; 2])
+}
+
+fn segments(count: usize, random: &mut Random) -> Result<Pslg, String> {
+    // A third as many crossings as segments.
+    let soup = Tangle::Soup.outline(count, count / 3, random);
+    noded(&boxed(soup, [-0.1; 2], [1.1; 2]))
+}
+
+fn read(world: &Path) -> Result<Pslg, String> {
+    crate::corpus::read(world).map(|(outline, _)| outline)
+}
+
+/// The coasts in a box, each segment replaced by `pieces` (a power of two) of a line whose middles are
+/// moved sideways by up to a fifth of its length, again and again; then cut where it crosses itself.
+fn rough(world: &Pslg, pieces: usize, random: &mut Random) -> Result<Pslg, String> {
+    let mut rough = Pslg { points: world.points.clone(), ..Pslg::default() };
+    for &ends in &world.segments {
+        let mut line = vec![ends[0], ends[1]];
+        while line.len() <= pieces {
+            let mut finer = vec![line[0]];
+            for pair in line.windows(2) {
+                let [a, b] = [0, 1].map(|i| rough.points[pair[i] as usize]);
+                let aside = random.range(-0.2, 0.2);
+                let middle = rough.points.len() as u32;
+                rough.points.push([
+                    0.5 * (a[0] + b[0]) - aside * (b[1] - a[1]),
+                    0.5 * (a[1] + b[1]) + aside * (b[0] - a[0]),
+                ]);
+                finer.extend([middle, pair[1]]);
+            }
+            line = finer;
+        }
+        rough.segments.extend(line.windows(2).map(|pair| [pair[0], pair[1]]));
+    }
+    rough.segment_tags = vec![1; rough.segments.len()];
+    let [low, high] = [f64::min, f64::max].map(|pick: fn(f64, f64) -> f64| {
+        [0, 1].map(|i| rough.points.iter().map(|p| p[i]).reduce(pick).unwrap_or(0.0))
+    });
+    noded(&boxed(rough, low.map(|x| x - 10.0), high.map(|x| x + 10.0)))
+}
+
+/// With a box around it.
+fn boxed(mut outline: Pslg, [left, bottom]: [f64; 2], [right, top]: [f64; 2]) -> Pslg {
+    let first = outline.points.len() as u32;
+    outline.points.extend([[left, bottom], [right, bottom], [right, top], [left, top]]);
+    outline.segments.extend((0..4).map(|i| [first + i, first + (i + 1) % 4]));
+    outline.segment_tags.resize(outline.segments.len(), 1);
+    outline
+}
+
+/// Cut where its segments cross.
+fn noded(outline: &Pslg) -> Result<Pslg, String> {
+    let repaired = repair(outline, 0.0).map_err(|error| error.to_string())?;
+    Ok(repaired.outline)
+}
+
+#[cfg(test)]
+mod tests {
+    use meshwright::{Parameters, mesh};
+
+    use super::*;
+
+    #[test]
+    fn a_square_has_about_the_triangles_that_its_largest_area_is_made_for() {
+        let case = Case { kind: Kind::Square(20_000), ..Case::all()[2].clone() };
+        let square = case.outline(None).expect("a square is made").expect("it needs no file");
+        let parameters = Parameters { max_area: case.max_area(), ..Parameters::default() };
+        let found = mesh(&square, &parameters).expect("a square is meshed").mesh.triangles.len();
+        assert!((18_000..22_000).contains(&found), "{found}");
+    }
+
+    #[test]
+    fn random_segments_are_cut_where_they_cross() {
+        let outline = segments(500, &mut Random::new(2)).expect("they are repaired");
+        assert!(outline.segments.len() > 600, "{}", outline.segments.len());
+        assert!(mesh(&outline, &Parameters::default()).expect("it is clean").certificate.holds());
+    }
+}
