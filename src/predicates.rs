@@ -7,9 +7,26 @@
 //! loop take [`Relative`] coordinates, made once per vertex, and fall back on the absolute ones
 //! only where a float filter leaves them open.
 
+use std::cell::Cell;
+
 use robust::Coord;
 
 use crate::double_double::{DoubleDouble, Expansion};
+
+thread_local! {
+    static EXACT: Cell<u64> = const { Cell::new(0) };
+}
+
+/// How many questions of the kernel's inner loop only exact arithmetic could answer on this thread so
+/// far.
+#[must_use]
+pub fn exact_answers() -> u64 {
+    EXACT.get()
+}
+
+fn count_exact() {
+    EXACT.set(EXACT.get() + 1);
+}
 
 /// Where a point lies, seen along a directed line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,6 +100,7 @@ pub fn in_circle(seen: [Relative; 3], corners: [[f64; 2]; 3], p: [f64; 2]) -> bo
     if determinant.abs() > 1.12e-15 * size {
         return determinant > 0.0;
     }
+    count_exact();
     let [a, b, c] = corners.map(coord);
     robust::incircle(a, b, c, coord(p)) > 0.0
 }
@@ -99,6 +117,7 @@ pub fn sees_left(seen: [Relative; 2], ends: [[f64; 2]; 2], p: [f64; 2]) -> bool 
     if cross.abs() > 3.331e-16 * (plus.abs() + minus.abs()) {
         return cross > 0.0;
     }
+    count_exact();
     side(ends[0], ends[1], p) == Side::Left
 }
 
@@ -113,6 +132,7 @@ pub fn encroaches(seen: [Relative; 2], ends: [[f64; 2]; 2], p: [f64; 2]) -> bool
     if dot.abs() > 3.331e-16 * (first.abs() + second.abs()) {
         return dot < 0.0;
     }
+    count_exact();
     exact_dot_sign(ends[0], ends[1], p) < 0.0
 }
 

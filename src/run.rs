@@ -8,6 +8,8 @@ use crate::assemble::assemble;
 use crate::carve::{carve, without_the_outside};
 use crate::certify::{Certificate, Promise, certify, not_judged};
 use crate::domain::{self, Domain};
+use crate::predicates;
+use crate::refine::counters::Counters;
 use crate::refine::incremental::Introduction;
 use crate::refine::segments::Segments;
 use crate::refine::sizes::Sizes;
@@ -41,6 +43,8 @@ pub struct Outcome {
     ///
     /// [`Rule::Ruppert`]: crate::Rule::Ruppert
     pub refused_at: Vec<u32>,
+    /// What was done, counted.
+    pub counters: Counters,
     /// With [`Parameters::incremental`]: points and segments in the order in which they were
     /// introduced, by the outline's indices.
     pub introduced: Vec<Introduction>,
@@ -183,6 +187,7 @@ fn run(
     hear: Option<&mut dyn FnMut(&Event)>,
 ) -> Result<Outcome, Error> {
     let (domain, warnings) = Domain::new(pslg, parameters.region)?;
+    let exact_before = predicates::exact_answers();
     let initial = triangulate(&domain)?;
     let domain_points = initial.domain_points.clone();
     let has_attributes = !pslg.point_attributes.is_empty();
@@ -199,6 +204,7 @@ fn run(
         refinement.listener = Listener::new(translate);
     }
     let end = refine(&mut refinement, progress);
+    let exact = predicates::exact_answers() - exact_before;
     if end == End::Cancelled {
         return Err(Error::Cancelled);
     }
@@ -215,6 +221,7 @@ fn run(
             .map(|(triangle, angle)| Missed { triangle, radians: angle.radians() })
             .collect(),
         refused_at,
+        counters: Counters { exact, ..refinement.counters },
         introduced: introductions.map(|&it| names.introduction(it)).collect(),
         certificate: judge(pslg, &mesh, parameters),
         mesh,

@@ -7,6 +7,7 @@ use meshwright::certify::{Certificate, Fault, Judgement, NarrowTo, Promise, Verd
 use meshwright::domain::{self, Angle, ClosestPair, Domain, Feature, Repair};
 use meshwright::formats::Pslg;
 use meshwright::refine::End;
+use meshwright::refine::counters::Counters;
 use meshwright::refine::incremental::{self, Introduction};
 use meshwright::statistics::{GroupCount, Statistics};
 use meshwright::{MinAngle, Missed, Outcome, Parameters};
@@ -81,6 +82,7 @@ pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
         ("certificate", certificate(&outcome.certificate)),
         ("stopped", json!(outcome.end == End::PointBudget)),
         ("refused", json!(outcome.refused)),
+        ("counters", counters(&outcome.counters)),
         ("missed", outcome.missed.iter().map(missed).collect()),
         ("introduced", outcome.introduced.iter().map(|it| introduction(it, pslg)).collect()),
         ("warnings", json!(report.warnings)),
@@ -90,6 +92,16 @@ pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
         object.insert(name.into(), value);
     }
     finished(object)
+}
+
+fn counters(counters: &Counters) -> Value {
+    json!({
+        "popped": counters.popped,
+        "stale": counters.stale,
+        "committed": counters.committed,
+        "replaced": counters.replaced,
+        "exact": counters.exact,
+    })
 }
 
 /// What a mesh was made from, besides its outline.

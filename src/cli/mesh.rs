@@ -64,6 +64,9 @@ pub struct Arguments {
     /// `check --certificate`.
     #[arg(long, value_name = "FILE.json")]
     certificate: Option<PathBuf>,
+    /// Tell what the run did: triangles queued and replaced, questions asked exactly.
+    #[arg(long)]
+    stats: bool,
     /// Print one JSON object about the run.
     #[arg(long)]
     json: bool,
@@ -94,6 +97,9 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
 
     let summary = Summary::new(pslg, &outcome, parameters.soft_angle);
     summary.say_mesh(&input.name, took, voice);
+    if arguments.stats {
+        summary.say_work(voice);
+    }
     let made_from = MadeFrom {
         read: arguments.read,
         scale: arguments.scale,

@@ -5,6 +5,7 @@ use std::time::Duration;
 use meshwright::certify::ExcusedAngle;
 use meshwright::formats::Pslg;
 use meshwright::refine::End;
+use meshwright::refine::counters::Counters;
 use meshwright::statistics::{Statistics, smallest_angle_but};
 use meshwright::{MinAngle, Missed, Outcome};
 
@@ -67,6 +68,17 @@ impl<'a> Summary<'a> {
         }
         say(voice, "groups", &groups_text(&statistics.groups, "edge"));
         self.say_certificate(voice);
+    }
+
+    /// What the run did, counted.
+    pub fn say_work(&self, voice: &Voice) {
+        let Counters { popped, stale, committed, exact, .. } = self.outcome.counters;
+        let [stale, exact] = [stale as u64, exact].map(grouped);
+        let cavity = self.outcome.counters.mean_cavity();
+        let (popped, committed) = (count(popped, "bad triangle"), count(committed, "point"));
+        say(voice, "work", &format!("{popped} taken from the queue, {stale} of them gone by then"));
+        say(voice, "", &format!("{committed} committed, {cavity:.2} triangles replaced by each"));
+        say(voice, "", &format!("{exact} questions that only exact arithmetic could answer"));
     }
 
     /// Where the mesh went.

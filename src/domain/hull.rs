@@ -8,18 +8,18 @@ use crate::predicates::{Side, side};
 use crate::vector::Vector;
 
 /// The edges of the convex hull, counter-clockwise, split at every point that lies on it.
-/// `order`: the points from left to right (lexicographic), all distinct. Empty if all are collinear.
+/// `order`: the points from left to right (lexicographic), all distinct and not all on one line.
 pub fn hull_edges(points: &[[f64; 2]], order: &[u32]) -> Vec<[u32; 2]> {
     let mut edges = chain(points, order.iter().copied());
-    let upper = chain(points, order.iter().rev().copied());
-    // Collinear points: both chains run along the same line.
-    if edges.len() == upper.len()
-        && edges.iter().zip(upper.iter().rev()).all(|(&[a, b], &[c, d])| [a, b] == [d, c])
-    {
-        return Vec::new();
-    }
-    edges.extend(upper);
+    edges.extend(chain(points, order.iter().rev().copied()));
     edges
+}
+
+/// Whether all points lie on one line. `order`: the points from left to right, all distinct.
+pub fn is_on_a_line(points: &[[f64; 2]], order: &[u32]) -> bool {
+    let at = |point: u32| points[point as usize];
+    let [first, .., last] = order[..] else { return true };
+    order.iter().all(|&point| side(at(first), at(last), at(point)) == Side::On)
 }
 
 /// Those of the hull edges that are no segments yet.

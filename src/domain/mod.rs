@@ -120,11 +120,10 @@ impl Domain {
         let merge::Segments { mut segments, input: mut input_segments, tags: mut segment_tags } =
             merge::segments(pslg, &distinct, &mut warnings);
 
-        let hull_edges = hull::hull_edges(&points, &order);
         if points.len() < 3 {
             return Err(Error::TooFewPoints { points: points.len() });
         }
-        if hull_edges.is_empty() {
+        if hull::is_on_a_line(&points, &order) {
             return Err(Error::Collinear { points: points.len() });
         }
         if segments.is_empty() {
@@ -132,6 +131,7 @@ impl Domain {
         }
         let region = if segments.is_empty() { Region::Hull } else { region };
         if region == Region::Hull {
+            let hull_edges = hull::hull_edges(&points, &order);
             let closest = 2.0 * precision::floor(&points);
             if hull::is_line(&hull_edges, &points, closest) {
                 return Err(Error::Collinear { points: points.len() });

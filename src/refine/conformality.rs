@@ -148,7 +148,7 @@ impl Refinement<'_> {
         }
         self.cavity.of_split_point(&self.mesh, point, edge, on_segment)?;
         self.cavity.expect_visible(&self.mesh)?;
-        self.mesh.commit(&mut self.cavity);
+        self.commit();
         self.provenances.push_segment_point(split);
         self.size_new_vertex();
         Ok(())

@@ -19,6 +19,7 @@
 
 mod augment;
 pub mod conformality;
+pub mod counters;
 pub mod excuse;
 pub mod incremental;
 pub mod interpolation;
@@ -46,6 +47,7 @@ use crate::constructions::Angle;
 use crate::domain::Domain;
 use crate::parameters::{MinAngle, Parameters, Rule, Splitting, Steiner};
 use crate::triangulation::{Cavity, Triangulation};
+use counters::Counters;
 use incremental::{Introduced, Introduction};
 use provenance::Provenances;
 use quality::Trigger;
@@ -74,6 +76,8 @@ pub struct Refinement<'a> {
     pub segments: Segments,
     /// What was refused where doubles end.
     pub refused: Refused,
+    /// What was done, counted.
+    pub counters: Counters,
     /// Who hears each step.
     pub listener: Listener<'a>,
     domain: &'a Domain,
@@ -191,6 +195,7 @@ impl<'a> Refinement<'a> {
             mesh,
             segments,
             refused: Refused::default(),
+            counters: Counters::default(),
             listener: Listener::default(),
             domain,
             parameters,
@@ -328,7 +333,9 @@ impl<'a> Refinement<'a> {
 
     /// (Quality′): commits the Steiner point of a bad triangle, or splits what it would encroach.
     fn improve(&mut self, entry: Entry, watch: &mut Watch) -> Flow {
+        self.counters.popped += 1;
         if !self.is_still_there(entry) {
+            self.counters.stale += 1;
             return ControlFlow::Continue(());
         }
         let Some(trigger) = self.trigger(entry.slot) else {
@@ -431,11 +438,18 @@ impl<'a> Refinement<'a> {
             return Err(Refusal::Floor);
         }
         self.cavity.expect_visible(&self.mesh)?;
-        self.mesh.commit(&mut self.cavity);
+        self.commit();
         self.provenances.push_steiner_point();
         self.size_new_vertex();
         self.queue_bad_of_star();
         Ok(())
+    }
+
+    /// Puts the point of the cavity in.
+    fn commit(&mut self) {
+        self.counters.committed += 1;
+        self.counters.replaced += self.cavity.star.len();
+        self.mesh.commit(&mut self.cavity);
     }
 
     /// Queues the bad ones of the triangles that were just made.

@@ -190,3 +190,22 @@ mod special {
         assert!(reader.join().expect("the reader ends") == bench.read("a.msh"));
     }
 }
+
+#[test]
+fn a_mesh_that_is_not_judged_is_the_same_mesh_and_says_so() {
+    let bench = Bench::with("unjudged", "square.poly", SQUARE);
+    bench.succeeds("mesh square.poly --max-area 0.01 -o a.vtu");
+    let told = bench.succeeds("mesh square.poly --max-area 0.01 -o b.vtu --unjudged --json");
+    assert!(bench.read("a.vtu") == bench.read("b.vtu"), "both are the same mesh");
+    assert!(told.stdout.contains("\"holds\":false"), "{told:?}");
+    bench.succeeds("check b.vtu --input square.poly");
+    // There is no verdict to write.
+    bench.fails("mesh square.poly --unjudged --certificate c.json", 2);
+}
+
+#[test]
+fn what_a_run_did_is_told_on_request() {
+    let bench = Bench::with("stats", "square.poly", SQUARE);
+    let told = bench.succeeds("mesh square.poly --max-area 0.01 --stats").stderr;
+    assert!(told.contains("work      ") && told.contains("taken from the queue"), "{told}");
+}
