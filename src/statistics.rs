@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use meshwright_formats::{Group, Mesh, Provenance, Tag};
 
+use crate::corners::each;
+
 mod quality;
 
 pub use crate::certify::Kinds;
@@ -179,8 +181,9 @@ impl<'a> Angles<'a> {
 
     fn measure(&mut self, triangle: [u32; 3]) {
         let Some([a, b, c]) = self.corners(triangle) else { return };
-        self.twice_area += cross(difference(b, a), difference(c, a));
-        let [a, b, c] = cotangents([a, b, c]);
+        let twice_area = cross(difference(b, a), difference(c, a));
+        self.twice_area += twice_area;
+        let [a, b, c] = cotangents([a, b, c], twice_area);
         let (steepest, flattest) = (a.max(b).max(c), a.min(b).min(c));
         self.largest_cotangent = self.largest_cotangent.max(steepest);
         self.smallest_cotangent = self.smallest_cotangent.min(flattest);
@@ -192,12 +195,13 @@ impl<'a> Angles<'a> {
 
     /// The cotangents of a triangle's angles, or nothing where a corner does not exist.
     fn cotangents(&self, triangle: [u32; 3]) -> Option<[f64; 3]> {
-        self.corners(triangle).map(cotangents)
+        let [a, b, c] = self.corners(triangle)?;
+        Some(cotangents([a, b, c], cross(difference(b, a), difference(c, a))))
     }
 
     fn corners(&self, triangle: [u32; 3]) -> Option<[[f64; 2]; 3]> {
         let corner = |i: u32| self.points.get(i as usize).map(|p| self.scaled(*p));
-        let [a, b, c] = triangle.map(corner);
+        let [a, b, c] = each(triangle, corner);
         Some([a?, b?, c?])
     }
 
@@ -221,11 +225,11 @@ impl<'a> Angles<'a> {
     }
 }
 
-fn cotangents([a, b, c]: [[f64; 2]; 3]) -> [f64; 3] {
+fn cotangents([a, b, c]: [[f64; 2]; 3], twice_area: f64) -> [f64; 3] {
     let edges = [difference(c, b), difference(a, c), difference(b, a)]; // opposite a, b, c
-    let cross = cross(edges[2], edges[0]).abs();
+    let cross = twice_area.abs();
     // The angle at a corner lies between the other two edges, one of them reversed.
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| -dot(edges[i], edges[j]) / cross)
+    each([(1, 2), (2, 0), (0, 1)], |(i, j)| -dot(edges[i], edges[j]) / cross)
 }
 
 /// The angle from 0 to π with this cotangent; 0 where nothing was measured.
@@ -241,7 +245,7 @@ fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 }
 
 fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0].mul_add(b[0], a[1] * b[1])
+    a[0] * b[0] + a[1] * b[1]
 }
 
 /// a × b, to the last bit or two also where the products nearly cancel (Kahan).

@@ -25,9 +25,9 @@ fn work(outline: &Pslg, parameters: &Parameters) -> Counters {
 fn a_steiner_point_replaces_few_triangles_and_few_wait_in_vain() {
     let found = work(&points(10_000), &Parameters::default());
     let stale = found.stale as f64 / found.popped as f64;
-    assert!((10_000..13_000).contains(&found.committed), "{found:?}");
-    assert!(found.mean_cavity() < 4.5, "{found:?}");
-    assert!(stale < 0.45, "{found:?}");
+    assert!((12_000..13_500).contains(&found.committed), "{found:?}");
+    assert!(found.mean_cavity() < 4.3, "{found:?}");
+    assert!(stale < 0.6, "{found:?}");
 }
 
 #[test]

@@ -66,8 +66,8 @@ pub(super) fn judge(
     let bound = laid.map(|laid| kappa_hat.min(lemma_7(laid.theta_star)));
     let mut found = Angles::default();
     let mut extremes = Extremes::default();
-    for (t, corners) in complex.triangles.iter().enumerate() {
-        let points = corners.map(|v| complex.at(v));
+    for t in 0..complex.triangles.len() {
+        let points = complex.corners(t);
         for k in 0..3 {
             let (p, a, b) = (points[k], points[(k + 1) % 3], points[(k + 2) % 3]);
             let (cross, dot) = plain_cross_and_dot(p, a, b);

@@ -159,6 +159,13 @@ impl<'a> Complex<'a> {
         self.triangles[h as usize / 3][(h as usize + 1) % 3]
     }
 
+    /// The places of a triangle's corners.
+    #[inline]
+    pub(super) fn corners(&self, t: usize) -> [[f64; 2]; 3] {
+        let [a, b, c] = self.triangles[t];
+        [self.at(a), self.at(b), self.at(c)]
+    }
+
     /// The corner opposite a half-edge.
     pub(super) fn apex(&self, h: u32) -> u32 {
         self.triangles[h as usize / 3][(h as usize + 2) % 3]
@@ -229,8 +236,8 @@ impl<'a> Complex<'a> {
     /// The sum of the triangles' areas, in judged coordinates.
     pub(super) fn area(&self) -> f64 {
         let mut doubled = exact::Double::default();
-        for triangle in &self.triangles {
-            let [a, b, c] = triangle.map(|v| self.at(v));
+        for t in 0..self.triangles.len() {
+            let [a, b, c] = self.corners(t);
             doubled = doubled + exact::cross(a, b, c);
         }
         0.5 * doubled.to_f64()

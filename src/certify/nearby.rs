@@ -11,6 +11,7 @@ use std::mem::discriminant;
 use super::complex::NONE;
 use super::fault::{Fault, FaultKind, Numbered};
 use super::verdict::{Certificate, NarrowTo};
+use crate::corners::each;
 use crate::formats::{Membership, Mesh, Pslg, Source};
 use crate::hilbert::Curve;
 
@@ -38,7 +39,7 @@ impl Nearby {
         let [inputs, points] =
             [inputs, points].map(|keyed| keyed.into_iter().map(|(_, old)| old).collect::<Vec<_>>());
         let new = inverse(&points);
-        let named: Vec<_> = mesh.triangles.iter().map(|t| t.map(|v| renamed(v, &new))).collect();
+        let named: Vec<_> = mesh.triangles.iter().map(|&t| each(t, |v| renamed(v, &new))).collect();
         let triangles = by_first_point(&named, points.len());
         Self {
             at_input,

@@ -117,7 +117,10 @@ impl<'a> Summary<'a> {
         let mesh = &self.outcome.mesh;
         let excused = &self.outcome.certificate.excused;
         let named = excused.iter().map(|excused| (excused.triangle, excused.edge));
-        let smallest = smallest_angle_but(mesh, named);
+        let smallest = match excused.len() {
+            0 => self.statistics.smallest_angle,
+            _ => smallest_angle_but(mesh, named),
+        };
         let range = format!("{} to {}", angle(smallest), angle(self.statistics.largest_angle));
         let measured = || excused.iter().map(|excused| excused.angle);
         let least = measured().fold(f64::INFINITY, f64::min);

@@ -1,7 +1,7 @@
 //! Which triangles are bad, and which of their angles triggers.
 
 use crate::constructions::Angle;
-use crate::corners::{next, previous};
+use crate::corners::{each, next, previous};
 use crate::parameters::MinAngle;
 use crate::predicates::Relative;
 
@@ -58,12 +58,20 @@ pub fn by_size(corners: [[f64; 2]; 3]) -> Trigger {
 
 /// The edges of a triangle with their squared lengths, the shortest first.
 fn edges_by_length(corners: [[f64; 2]; 3]) -> [(usize, f64); 3] {
-    let mut edges = [0, 1, 2].map(|edge| {
-        let [a, b] = [corners[next(edge)], corners[previous(edge)]];
-        (edge, Relative::of(a, b).squared)
+    let [mut first, mut second, mut third] = each([0, 1, 2], |edge| {
+        (edge, Relative::of(corners[next(edge)], corners[previous(edge)]).squared)
     });
-    edges.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
-    edges
+    // Equals stay as they are.
+    if second.1 < first.1 {
+        (first, second) = (second, first);
+    }
+    if third.1 < second.1 {
+        (second, third) = (third, second);
+        if second.1 < first.1 {
+            (first, second) = (second, first);
+        }
+    }
+    [first, second, third]
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@
 
 use super::insertion::{beyond_hull, ghost_corner};
 use super::{Edge, OUTSIDE_THE_REGION, Triangulation};
-use crate::corners::{next, previous};
+use crate::corners::{each, next, previous};
 use crate::predicates::{self, Relative};
 
 /// Why a point is not committed: rounding has the last word there (ALGORITHM §9).
@@ -85,7 +85,7 @@ impl Cavity {
     ) -> Result<(), Rejected> {
         self.clear(point);
         let corners = mesh.corners(root);
-        let seen = corners.map(|corner| Relative::of(corner, point));
+        let seen = each(corners, |corner| Relative::of(corner, point));
         if !predicates::in_circle(seen, corners, point) {
             return Err(Rejected::OutsideItsDisc);
         }
@@ -103,7 +103,7 @@ impl Cavity {
         root: u32,
     ) -> Result<(), Rejected> {
         self.clear(point);
-        let seen = mesh.corners(root).map(|corner| Relative::of(corner, point));
+        let seen = each(mesh.corners(root), |corner| Relative::of(corner, point));
         self.begin_with(mesh, root, seen);
         self.grow(
             mesh,
@@ -171,7 +171,7 @@ impl Cavity {
         stays: impl Fn([u32; 3]) -> bool,
     ) -> Result<(), Rejected> {
         let root = edge.triangle();
-        let seen = mesh.corners(root).map(|corner| Relative::of(corner, self.point));
+        let seen = each(mesh.corners(root), |corner| Relative::of(corner, self.point));
         self.star.push(root);
         self.visit_later(root, previous(edge.index()), seen);
         self.visit_later(root, next(edge.index()), seen);
@@ -195,7 +195,7 @@ impl Cavity {
             let behind = mesh.behind(edge);
             if !behind.is_constrained() {
                 let triangle = mesh.triangles[behind.triangle() as usize];
-                let corners = triangle.vertices.map(|v| mesh.points[v as usize]);
+                let corners = each(triangle.vertices, |v| mesh.points[v as usize]);
                 let apex = Relative::of(corners[behind.index()], self.point);
                 let mut all = [apex; 3];
                 all[next(behind.index())] = seen[1];
@@ -228,7 +228,8 @@ impl Cavity {
     /// [`Rejected::Unseen`].
     pub fn expect_visible(&self, mesh: &Triangulation) -> Result<(), Rejected> {
         let visible = self.boundary.iter().all(|side| {
-            let ends = side.ends.map(|v| mesh.points[v as usize]);
+            let [a, b] = side.ends;
+            let ends = [mesh.points[a as usize], mesh.points[b as usize]];
             predicates::sees_left(side.seen, ends, self.point)
         });
         if visible { Ok(()) } else { Err(Rejected::Unseen) }

@@ -5,7 +5,7 @@
 //! point outside the hull is inserted like any other, and no edge is without a neighbour.
 
 use super::{Cavity, Edge, Rejected, Triangle, Triangulation};
-use crate::corners::{next, previous};
+use crate::corners::{each, next, previous};
 use crate::predicates::{Relative, Side, sees_left, side};
 
 /// The vertex of ghosts; its coordinates mean nothing.
@@ -91,8 +91,8 @@ impl Growing {
             if ghost_corner(vertices).is_some() {
                 return slot;
             }
-            let ends = vertices.map(|v| self.mesh.points[v as usize]);
-            let seen = ends.map(|end| Relative::of(end, point));
+            let ends = each(vertices, |v| self.mesh.points[v as usize]);
+            let seen = each(ends, |end| Relative::of(end, point));
             let beyond = (0..3).find(|&i| {
                 let (from, to) = (previous(i), next(i));
                 sees_left([seen[from], seen[to]], [ends[from], ends[to]], point)

@@ -13,7 +13,7 @@ mod subsegments;
 pub use cavity::{Cavity, Rejected};
 use subsegments::Anchors;
 
-use crate::corners::{next, previous};
+use crate::corners::{each, next, previous};
 
 /// A triangle's edge, with whether it may be crossed:
 /// `triangle << 3 | constrained << 2 | edge`; edge `i` is opposite vertex `i`.
@@ -114,7 +114,7 @@ impl Triangulation {
     #[inline]
     #[must_use]
     pub fn corners(&self, triangle: u32) -> [[f64; 2]; 3] {
-        self.triangles[triangle as usize].vertices.map(|v| self.points[v as usize])
+        each(self.triangles[triangle as usize].vertices, |v| self.points[v as usize])
     }
 
     /// The end points of an edge, with its triangle to the left.
