@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::attributes::interpolate;
+use crate::corners::each;
 use crate::domain::Domain;
 use crate::formats::{Membership, Mesh, Pslg, Tag};
 use crate::refine::Refinement;
@@ -27,16 +28,19 @@ pub fn assemble(
         place[vertex as usize] = new as u32;
     }
     let edges = subsegments(refinement);
-    let unscale = |c: f64| libm::scalbn(c, domain.scale_exponent);
+    let unscale = |[x, y]: [f64; 2]| match domain.scale_exponent {
+        0 => [x, y],
+        exponent => [libm::scalbn(x, exponent), libm::scalbn(y, exponent)],
+    };
     Mesh {
-        points: order.iter().map(|&v| refinement.mesh.points[v as usize].map(unscale)).collect(),
+        points: order.iter().map(|&v| unscale(refinement.mesh.points[v as usize])).collect(),
         point_markers: markers(refinement, &order, domain_points, domain, pslg),
         provenance: order.iter().map(|&v| refinement.provenances.kind(v)).collect(),
         triangles: refinement
             .mesh
             .triangles
             .iter()
-            .map(|triangle| triangle.vertices.map(|v| place[v as usize]))
+            .map(|triangle| each(triangle.vertices, |v| place[v as usize]))
             .collect(),
         triangle_tags: region_tags(refinement, domain),
         edges: edges.iter().map(|edge| edge.ends.map(|v| place[v as usize])).collect(),

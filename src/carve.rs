@@ -1,7 +1,7 @@
 //! Exterior and holes out, regions in.
 
 use crate::Region;
-use crate::corners::{next, previous};
+use crate::corners::{each, next, previous};
 use crate::domain::{Domain, OUTSIDE};
 use crate::triangulation::initial::Initial;
 use crate::triangulation::{Edge, OUTSIDE_THE_REGION, Triangle, Triangulation};
@@ -102,7 +102,7 @@ fn renumbered(triangles: &[Triangle], kept: &[usize]) -> Vec<Triangle> {
     kept.iter()
         .map(|&slot| {
             let Triangle { vertices, neighbors } = triangles[slot];
-            Triangle { vertices, neighbors: neighbors.map(renumber) }
+            Triangle { vertices, neighbors: each(neighbors, renumber) }
         })
         .collect()
 }

@@ -14,8 +14,8 @@ pub(crate) struct Vector {
 impl Vector {
     /// The vector from `a` to `b`.
     pub fn between(a: [f64; 2], b: [f64; 2]) -> Self {
-        let parts = [0, 1].map(|k| DoubleDouble::difference(b[k], a[k]));
-        Self { high: parts.map(|part| part.hi), low: parts.map(|part| part.lo) }
+        let (x, y) = (DoubleDouble::difference(b[0], a[0]), DoubleDouble::difference(b[1], a[1]));
+        Self { high: [x.hi, y.hi], low: [x.lo, y.lo] }
     }
 
     /// The length.

@@ -116,7 +116,12 @@ impl Precision {
     /// A new point as the output can hold it.
     fn round(self, point: [f64; 2]) -> [f64; 2] {
         // From 2^52 steps on every double is a multiple.
-        let coarse = |c: f64| c.abs() < self.quantum * (1_u64 << 52) as f64;
+        let fine = self.quantum * (1_u64 << 52) as f64;
+        let [x, y] = point;
+        if x.abs() >= fine && y.abs() >= fine {
+            return point;
+        }
+        let coarse = |c: f64| c.abs() < fine;
         point.map(
             |c| if coarse(c) { (c / self.quantum).round_ties_even() * self.quantum } else { c },
         )

@@ -6,6 +6,7 @@ use super::constraints::constrain;
 use super::insertion::{GHOST, delaunay};
 use super::{Edge, Triangle, Triangulation};
 use crate::Region;
+use crate::corners::each;
 use crate::domain::Domain;
 use crate::hilbert::Curve;
 
@@ -96,7 +97,7 @@ fn without_ghosts(mesh: Triangulation, domain_points: Vec<u32>) -> Initial {
     let mut open = Vec::new();
     for (slot, triangle) in mesh.triangles.iter().enumerate() {
         let Some(place) = places[slot].checked_sub(ghosts) else { continue };
-        let neighbors = triangle.neighbors.map(|edge| {
+        let neighbors = each(triangle.neighbors, |edge| {
             match places[edge.triangle() as usize].checked_sub(ghosts) {
                 Some(behind) => {
                     Edge::new(behind, edge.index()).constrained_if(edge.is_constrained())
@@ -109,7 +110,7 @@ fn without_ghosts(mesh: Triangulation, domain_points: Vec<u32>) -> Initial {
                 }
             }
         });
-        let vertices = triangle.vertices.map(|v| v - 1);
+        let vertices = each(triangle.vertices, |v| v - 1);
         triangles[place as usize] = Triangle { vertices, neighbors };
     }
     let mut points = mesh.points;
