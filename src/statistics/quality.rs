@@ -68,11 +68,12 @@ impl Quality {
 /// Smallest and largest angle, radius over edge, area of corners that were multiplied by 2 to this
 /// power.
 fn measures([a, b, c]: [[f64; 2]; 3], exponent: i32) -> [f64; 4] {
-    let [at_a, at_b, at_c] = cotangents([a, b, c]);
+    let twice_area = cross(difference(b, a), difference(c, a));
+    let [at_a, at_b, at_c] = cotangents([a, b, c], twice_area);
     let (steepest, flattest) = (at_a.max(at_b).max(at_c), at_a.min(at_b).min(at_c));
     // The shortest edge is 2R·sin of the smallest angle, and 1/sin = √(1 + cot²).
     let radius_edge = libm::hypot(1.0, steepest) / 2.0;
-    let area = cross(difference(b, a), difference(c, a)) / 2.0;
+    let area = twice_area / 2.0;
     [angle(steepest), angle(flattest), radius_edge, libm::scalbn(area, -2 * exponent)]
 }
 
