@@ -314,3 +314,41 @@ fn build(rectangles: &[Rectangle], items: &mut [u32], nodes: &mut Vec<Rectangle>
     build(rectangles, left, nodes);
     build(rectangles, right, nodes);
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn rectangles() -> impl Strategy<Value = Vec<Rectangle>> {
+        let corner = || [-8_i8..8, -8_i8..8].prop_map(|place| place.map(f64::from));
+        let rectangle = (corner(), corner()).prop_map(|(a, b)| Rectangle::around(a, b));
+        proptest::collection::vec(rectangle, 0..40)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn the_least_distance_is_that_of_all_pairs(a in rectangles(), b in rectangles()) {
+            let least = |first: &[Rectangle], second: &[Rectangle], is_itself: bool| {
+                let gap = |i: u32, j: u32| match is_itself && i == j {
+                    true => f64::INFINITY,
+                    false => first[i as usize].gap_squared(&second[j as usize]),
+                };
+                let all = (0..first.len() as u32).flat_map(|i| (0..second.len() as u32).map(move |j| (i, j)));
+                let expected = all.map(|(i, j)| gap(i, j)).fold(f64::INFINITY, f64::min);
+                let (tree, other) = (Boxes::new(first), Boxes::new(second));
+                let (tree, other) = if is_itself { (&tree, &tree) } else { (&tree, &other) };
+                let mut budget = usize::MAX;
+                let found = tree.least_distance_squared(other, f64::INFINITY, &mut budget, gap);
+                (found, expected.is_finite().then_some(expected))
+            };
+            let (found, expected) = least(&a, &b, false);
+            prop_assert_eq!(found, expected);
+            let (found, expected) = least(&a, &a, true);
+            prop_assert_eq!(found, expected);
+        }
+    }
+}
