@@ -258,7 +258,11 @@ fn of_data(data: Cow<'_, Data>, name: String, before: usize, count: usize) -> Ar
 /// The nodes as VTK wants them: with a z coordinate, 0.
 pub(crate) fn coordinates<'a>(nodes: &'a Nodes) -> Array<'a> {
     Array::reals("Points", 3, nodes.len(), |items, out| {
-        out.extend(items.map(|node| nodes.point(node)).flat_map(|[x, y]| [x, y, 0.0]));
+        let start = out.len();
+        out.resize(start + 3 * items.len(), 0.0);
+        for (place, node) in out[start..].chunks_exact_mut(3).zip(items) {
+            place[..2].copy_from_slice(&nodes.point(node));
+        }
     })
 }
 
@@ -273,6 +277,12 @@ pub(crate) fn cells<'a>(nodes: &'a Nodes) -> [Array<'a>; 3] {
     let (of_line, of_triangle) = (usize::from(of_line), usize::from(of_triangle));
     let length = of_line * edges + of_triangle * triangles;
     let connectivity = move |cells: Range<usize>, out: &mut Vec<i64>| {
+        // The common case: a flat copy.
+        if nodes.order == Order::First && cells.start >= edges {
+            let corners = &nodes.mesh.triangles[cells.start - edges..cells.end - edges];
+            out.extend(corners.as_flattened().iter().map(|&corner| i64::from(corner)));
+            return;
+        }
         for cell in cells {
             match cell.checked_sub(edges) {
                 None => out.extend(nodes.edge(cell).map(i64::from)),

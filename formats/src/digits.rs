@@ -1,19 +1,31 @@
 //! Numbers as text: the shortest that reads back the same.
 
+/// The numbers 00 to 99: digits are made two by two.
+const PAIRS: [[u8; 2]; 100] = {
+    let mut pairs = [[0; 2]; 100];
+    let mut number = 0;
+    while number < 100 {
+        pairs[number] = [b'0' + number as u8 / 10, b'0' + number as u8 % 10];
+        number += 1;
+    }
+    pairs
+};
+
 /// Appends a whole number.
 pub(crate) fn push_integer(out: &mut Vec<u8>, value: impl Into<i64>) {
     let value = value.into();
     let mut digits = [0; 20];
     let mut start = digits.len();
     let mut rest = value.unsigned_abs();
-    loop {
-        start -= 1;
-        digits[start] = b'0' + (rest % 10) as u8;
-        rest /= 10;
-        if rest == 0 {
-            break;
-        }
+    while rest >= 100 {
+        start -= 2;
+        digits[start..start + 2].copy_from_slice(&PAIRS[(rest % 100) as usize]);
+        rest /= 100;
     }
+    let pair = PAIRS[rest as usize];
+    let first = usize::from(rest < 10);
+    start -= 2 - first;
+    digits[start..start + 2 - first].copy_from_slice(&pair[first..]);
     if value < 0 {
         out.push(b'-');
     }
@@ -39,7 +51,7 @@ mod tests {
 
     #[test]
     fn whole_numbers_are_written_to_their_ends() {
-        for value in [0, 7, 10, -1, i64::MIN, i64::MAX] {
+        for value in [0, 7, 10, 99, 100, 101, 1_234, 56_780, -1, i64::MIN, i64::MAX] {
             assert_eq!(integer(value), value.to_string());
         }
     }

@@ -82,6 +82,9 @@ impl Entities {
         let Self { all, points, of_edges, of_triangles, of_nodes } = self;
         let mut take = |entity: u32, node: u32| {
             let of = &mut of_nodes[node as usize];
+            if *of == entity {
+                return;
+            }
             *of = entity.min(*of);
             all[entity as usize].reach(nodes.point(node as usize));
         };
@@ -124,8 +127,8 @@ fn add<S: AsRef<[u32]>>(
     let numbers = table.entries.iter().filter(|entry| entry.dim == dim).map(|entry| entry.number);
     let mut fresh = FreshTags::beside(numbers.collect());
     let mut known: BTreeMap<Vec<u32>, u32> = BTreeMap::new();
-    let mut entity = |set: S| {
-        let set = set.as_ref();
+    let mut last: Option<(S, u32)> = None; // neighbours in the file mostly have the same groups
+    let mut entity = |set: &[u32]| {
         if let Some(&entity) = known.get(set) {
             return entity;
         }
@@ -138,5 +141,13 @@ fn add<S: AsRef<[u32]>>(
         known.insert(set.to_vec(), entity);
         entity
     };
-    sets.map(&mut entity).collect()
+    sets.map(|set| {
+        let found = match &last {
+            Some((same, found)) if same.as_ref() == set.as_ref() => *found,
+            _ => entity(set.as_ref()),
+        };
+        last = Some((set, found));
+        found
+    })
+    .collect()
 }
