@@ -1,4 +1,5 @@
-"""How fast meshio and Gmsh write the mesh that `writing --keep` leaves:
+"""How fast meshio and Gmsh write the mesh that `writing --keep` leaves (meshio writes no mesh with
+lines and triangles as .msh 4.1 unless it came from such a file):
 
     cargo run --release -p meshwright-campaigns --bin writing -- --keep
     python tests/campaigns/writing.py /dev/shm
@@ -13,10 +14,10 @@ import meshio
 
 
 def timed(name, file, write):
-    """Writes a file and prints how long that took."""
-    start = time.perf_counter()
+    """Writes a file and prints how long it had a processor for that."""
+    start = time.process_time()
     write(str(file))
-    seconds = time.perf_counter() - start
+    seconds = time.process_time() - start
     size = file.stat().st_size / 1e6
     file.unlink()
     print(f"{name:<24}{size:>9.0f}{seconds:>9.2f}{size / seconds:>9.0f}", flush=True)
@@ -30,7 +31,6 @@ def main(folder):
         ("meshio .vtu zlib", "vtu", {"compression": "zlib"}),
         ("meshio .msh 2.2 text", "msh", {"file_format": "gmsh22", "binary": False}),
         ("meshio .msh 2.2 binary", "msh", {"file_format": "gmsh22", "binary": True}),
-        ("meshio .msh 4.1 binary", "msh", {"file_format": "gmsh", "binary": True}),
     ):
         timed(name, folder / f"peer.{end}", lambda file: meshio.write(file, mesh, **options))
     source = folder / "peer.msh"
