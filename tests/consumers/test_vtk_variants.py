@@ -1,11 +1,14 @@
 """Every kind of VTK file in VTK and meshio: encodings, compression, orders, lines alone, legacy."""
 
+import json
+
 import meshio
 import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import answers
+from conftest import ROOT, run
 from vtk_files import read
 
 XML = [
@@ -150,3 +153,16 @@ def test_edges_between_triangles_are_left_out_where_asked(named_rooms):
     tags = arrays(grid.GetCellData())["tag"]
     assert 7 not in tags and {1, 2, 3, 9} <= set(tags)
     assert (1, 7) not in names(grid)
+
+
+def test_an_excused_angle_is_told_at_its_triangle(tmp_path):
+    outline = ROOT / "examples" / "lake_superior.poly"
+    report = json.loads(run("mesh", outline, "--json", "-q"))
+    run("mesh", outline, "--data", "quality,excuse", "-o", tmp_path / "lake.vtu")
+    data = arrays(read(tmp_path / "lake.vtu").GetCellData())
+    edges = len(data["tag"]) - report["mesh"]["triangles"]
+    for place, excused in enumerate(report["certificate"]["excused"], 1):
+        cell = edges + excused["triangle"]
+        assert data["excuse"][cell] == place
+        assert data["min_angle"][cell] == pytest.approx(excused["degrees"], rel=1e-12)
+    assert np.count_nonzero(data["excuse"]) == len(report["certificate"]["excused"]) > 0
