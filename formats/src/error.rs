@@ -243,12 +243,19 @@ pub enum Notice {
         /// The name of the data.
         name: String,
     },
+    /// Triangles in more than one set.
+    #[error("{} in more than one set of elements: {}", if *triangles == 1 { "1 triangle is".to_owned() }
+            else { format!("{triangles} triangles are") },
+            if *triangles == 1 { "it keeps the first" } else { "they keep the first" })]
+    FurtherSets {
+        /// How many triangles.
+        triangles: usize,
+    },
     /// Statements of a script that have no effect on a plane mesh.
     #[error("{} without effect on this mesh: {}",
             if statements.iter().map(|(_, count)| count).sum::<u32>() == 1 { "1 statement".to_owned() }
             else { format!("{} statements", statements.iter().map(|(_, count)| count).sum::<u32>()) },
-            statements.iter().map(|(name, count)| if *count == 1 { name.clone() }
-            else { format!("{name} ({count})") }).collect::<Vec<_>>().join(", "))]
+            named(statements))]
     SkippedStatements {
         /// Their names, and how many of each there are.
         statements: Vec<(String, u32)>,
@@ -344,6 +351,17 @@ pub enum Notice {
         /// How many.
         statements: u32,
     },
+}
+
+/// `Mesh, Color (3)`; the first of many.
+fn named(statements: &[(String, u32)]) -> String {
+    const MOST: usize = 20;
+    let shown = statements.iter().take(MOST).map(|(name, count)| {
+        let name: String = name.chars().take(LONGEST_WORD).map(printable).collect();
+        if *count == 1 { name } else { format!("{name} ({count})") }
+    });
+    let shown = shown.collect::<Vec<_>>().join(", ");
+    if statements.len() > MOST { shown + ", …" } else { shown }
 }
 
 /// `1 node`, `2 nodes`.

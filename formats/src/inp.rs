@@ -12,6 +12,13 @@
 //! the side of the first. Names are words of at most 80 letters. There are no numbers of groups.
 //! (*CalculiX CrunchiX User's Manual*, sections *NODE, *ELEMENT, *ELSET, *NSET, *SURFACE.)
 
+mod elements;
+mod groups;
+mod read;
+mod sets;
+#[cfg(test)]
+mod tests;
 mod write;
 
+pub use read::read;
 pub use write::write_with;

@@ -10,6 +10,8 @@
 //! Vertices are counted from one. Groups have numbers, no names; 0 is for what has no tag. (P. Frey,
 //! *MEDIT: an interactive mesh visualization software*, INRIA RT-0253, section 7.2.)
 
+mod read;
 mod write;
 
+pub use read::read;
 pub use write::write;

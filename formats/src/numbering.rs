@@ -52,6 +52,17 @@ impl Numbering {
         let place = self.table.binary_search_by_key(&number, |entry| entry.0).ok()?;
         Some(self.table[place].1)
     }
+
+    /// The indices of those whose numbers are in a range, in the order of their numbers.
+    pub fn between(&self, first: i64, last: i64) -> Vec<(i64, u32)> {
+        if self.table.is_empty() {
+            let last = last.min(self.count.into());
+            return (first.max(1)..=last).map(|number| (number, (number - 1) as u32)).collect();
+        }
+        let start = self.table.partition_point(|entry| entry.0 < first);
+        let inside = self.table[start..].iter().take_while(|entry| entry.0 <= last);
+        inside.map(|&(number, index, _)| (number, index)).collect()
+    }
 }
 
 #[cfg(test)]
@@ -59,14 +70,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_found_whether_they_count_up_or_not() {
+    fn numbers_in_a_range_are_found_whether_they_count_up_or_not() {
         let mut plain = Numbering::default();
         (1..=4).for_each(|number| plain.push(number, 0));
-        assert_eq!([0, 1, 4, 5].map(|number| plain.index(number)), [None, Some(0), Some(3), None]);
+        assert_eq!(plain.between(-7, 2), [(1, 0), (2, 1)]);
+        assert_eq!(plain.between(4, i64::MAX), [(4, 3)]);
         let mut mixed = Numbering::default();
         [1, 70, 9].into_iter().for_each(|number| mixed.push(number, 0));
-        mixed.sort(&Scanner::new(b"", "file", None), "a new number").expect("none is there twice");
-        assert_eq!([1, 70, 9].map(|number| mixed.index(number)), [Some(0), Some(1), Some(2)]);
-        assert_eq!([2, i64::MIN].map(|number| mixed.index(number)), [None, None]);
+        mixed.sort(&Scanner::new(b"", "file", None), "a new number").unwrap();
+        assert_eq!(mixed.between(2, 70), [(9, 2), (70, 1)]);
+        assert_eq!((mixed.index(70), mixed.index(2)), (Some(1), None));
+        assert_eq!(mixed.index(i64::MIN), None);
     }
 }

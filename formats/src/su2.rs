@@ -10,6 +10,8 @@
 //! Everything is counted from zero. Boundaries have names, no numbers; regions have neither.
 //! (<https://su2code.github.io/docs_v7/Mesh-File/>)
 
+mod read;
 mod write;
 
+pub use read::read;
 pub use write::write;

@@ -66,6 +66,18 @@ impl<'a> Scanner<'a> {
         scanner
     }
 
+    /// A scanner of a format in which this byte separates words as a blank does.
+    pub fn with_separator(
+        text: &'a [u8],
+        file: &'a str,
+        comment: Option<u8>,
+        separator: u8,
+    ) -> Self {
+        let mut scanner = Self::new(text, file, comment);
+        scanner.classes[usize::from(separator)] = Class::Blank;
+        scanner
+    }
+
     pub fn file(&self) -> &'a str {
         self.file
     }
@@ -91,6 +103,13 @@ impl<'a> Scanner<'a> {
     pub fn bytes<const N: usize>(&mut self) -> Option<[u8; N]> {
         let bytes = *self.unread().first_chunk()?;
         self.position += N;
+        Some(bytes)
+    }
+
+    /// The next bytes, as many as are wanted.
+    pub fn take(&mut self, count: usize) -> Option<&'a [u8]> {
+        let bytes = self.unread().get(..count)?;
+        self.position += count;
         Some(bytes)
     }
 
@@ -142,6 +161,39 @@ impl<'a> Scanner<'a> {
             self.end_line();
             self.skip_to_line_end();
         }
+    }
+
+    /// Leaves the rest of the line, and its end.
+    pub fn pass_line(&mut self) {
+        self.skip_to_line_end();
+        if self.left() > 0 {
+            self.end_line();
+        }
+    }
+
+    /// Leaves the rest of the line and all lines after it up to an empty one.
+    pub fn leave_paragraph(&mut self) {
+        self.pass_line();
+        while self.left() > 0 && self.class_at(self.position) != Some(Class::End) {
+            self.pass_line();
+        }
+    }
+
+    /// Whether the next word of the file is this one.
+    pub fn comes_next(&self, word: &[u8]) -> bool {
+        let mut ahead = Self { ..*self };
+        ahead.next_line() && ahead.word().is_some_and(|found| found.bytes == word)
+    }
+
+    /// The place of the word so many words behind that at a place, across lines.
+    pub fn place_of_word(&self, place: usize, after: usize) -> usize {
+        let mut again = self.at(place);
+        for _ in 0..after {
+            again.next_line();
+            again.word();
+        }
+        again.next_line();
+        again.position
     }
 
     /// The next word of this line.
@@ -212,6 +264,11 @@ impl<'a> Scanner<'a> {
         let end = before.iter().rposition(|&b| b == b'\n' || b == b'\r');
         let line_start = end.map_or(start, |end| start + end + 1);
         Self { position: place, line: 1 + count_breaks(before), line_start, ..*self }
+    }
+
+    /// Whether the next word of the file, which is not taken, passes a test; true at the end.
+    pub fn next_begins(&mut self, test: impl FnOnce(u8) -> bool) -> bool {
+        !self.next_line() || test(self.text[self.position])
     }
 
     /// The first word of this line, once more.

@@ -1,4 +1,4 @@
-//! VTK's legacy format, `.vtk`, version 3.0, as text and binary: written.
+//! VTK's legacy format, `.vtk`, text and binary: version 3.0 is written, versions 1 to 5 are read.
 //!
 //! ```text
 //! file   := "# vtk DataFile Version 3.0" title ("ASCII" | "BINARY") "DATASET UNSTRUCTURED_GRID"
@@ -12,6 +12,12 @@
 //! written: few programs read it.
 //! (<https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html>)
 
+mod numbers;
+mod place;
+mod read;
+#[cfg(test)]
+mod tests;
 mod write;
 
+pub use read::read;
 pub use write::{Options, write_with};

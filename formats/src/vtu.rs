@@ -27,6 +27,7 @@
 //!
 //! [`Provenance`]: crate::Provenance
 
+mod coded;
 mod fault;
 mod header;
 mod read;

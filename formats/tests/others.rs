@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use meshwright_formats::{Mesh, Values, Warning, groups, msh};
+use meshwright_formats::{Mesh, Values, Warning, groups, inp, medit, msh, su2, vtk, vtu};
 
 fn bytes(name: &str) -> Vec<u8> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/meshes").join(name);
@@ -15,6 +15,28 @@ fn bytes(name: &str) -> Vec<u8> {
 fn read_msh(name: &str) -> (Mesh, Vec<String>) {
     let (mesh, warnings) = msh::read(&bytes(name), name).unwrap_or_else(|error| panic!("{error}"));
     (mesh, warnings.iter().map(Warning::to_string).collect())
+}
+
+fn read_vtk(name: &str) -> (Mesh, Vec<String>) {
+    let read = match name.ends_with(".vtu") {
+        true => vtu::read(&bytes(name), name).map_err(|error| error.to_string()),
+        false => vtk::read(&bytes(name), name).map_err(|error| error.to_string()),
+    };
+    let (mesh, warnings) = read.unwrap_or_else(|error| panic!("{error}"));
+    (mesh, warnings.iter().map(Warning::to_string).collect())
+}
+
+/// Checks a mesh against another that has the same items in the same order; text of few digits
+/// may have moved the points.
+fn same(mesh: &Mesh, expected: &Mesh, name: &str) {
+    let close = |(a, b): (&[f64; 2], &[f64; 2])| (0..2).all(|k| (a[k] - b[k]).abs() < 1e-5);
+    assert_eq!(mesh.points.len(), expected.points.len(), "{name}");
+    assert!(mesh.points.iter().zip(&expected.points).all(close), "{name}");
+    assert_eq!(mesh.triangles, expected.triangles, "{name}");
+    assert_eq!(mesh.triangle_tags, expected.triangle_tags, "{name}");
+    assert_eq!(mesh.edges, expected.edges, "{name}");
+    assert_eq!(mesh.edge_tags, expected.edge_tags, "{name}");
+    assert_eq!(mesh.memberships, expected.memberships, "{name}");
 }
 
 /// The corners of a cell, in billionths (16 digits of text are not every double), and its group.
@@ -118,5 +140,137 @@ fn data_of_nodes_and_elements_are_kept() {
             assert_eq!(values.len(), 3 * mesh.points.len());
             assert_eq!(values[75..], [25.0, 0.25, 0.0, 26.0, 0.25, 0.0]);
         }
+    }
+}
+
+#[test]
+fn every_encoding_of_vtk_and_meshio_is_read() {
+    let (expected, _) = read_msh("gmsh_22_ascii.msh");
+    for name in [
+        "meshio_ascii.vtu",
+        "meshio_plain.vtu",
+        "meshio_zlib.vtu",
+        "meshio_42.vtk",
+        "meshio_51.vtk",
+        "vtk_ascii.vtu",
+        "vtk_inline_zlib.vtu",
+        "vtk_inline_plain_big.vtu",
+        "vtk_raw_plain_big.vtu",
+        "vtk_raw_zlib.vtu",
+        "vtk_base64_plain.vtu",
+        "vtk_base64_zlib.vtu",
+        "vtk_42_ascii.vtk",
+        "vtk_42_binary.vtk",
+        "vtk_51_ascii.vtk",
+        "vtk_51_binary.vtk",
+    ] {
+        let (mesh, warnings) = read_vtk(name);
+        assert!(warnings.is_empty(), "{name}: {warnings:?}");
+        same(&mesh, &expected, name);
+        if name.starts_with("vtk") {
+            let [depth] = &mesh.point_data[..] else { panic!("{name}: one array of points") };
+            assert_eq!((depth.name.as_str(), depth.components), ("depth of water", 1), "{name}");
+            let [load] = &mesh.triangle_data[..] else { panic!("{name}: one array of triangles") };
+            // The triangles are the last 39 of 57 cells.
+            let values = (18..57).map(|i| f64::from(i) + 0.5).collect();
+            assert_eq!((load.name.as_str(), &load.values), ("load", &Values::Real(values)));
+        }
+    }
+}
+
+#[test]
+fn polygons_of_vtk_are_read_with_their_tags() {
+    let (mut expected, _) = read_msh("gmsh_22_ascii.msh");
+    expected.groups.clear(); // VTK knows their numbers alone
+    let (mesh, _) = read_vtk("vtk_polydata.vtk");
+    assert_eq!(told(&mesh), told(&expected));
+}
+
+#[test]
+fn vtk_files_of_gmsh_are_read_with_the_numbers_of_entities() {
+    let expected = told(&read_msh("gmsh_22_ascii.msh").0);
+    for name in ["gmsh.vtk", "gmsh_binary.vtk", "order2.vtk"] {
+        let found = told(&read_vtk(name).0);
+        assert_eq!((found.points, found.edges.len()), (expected.points, expected.edges.len()));
+        assert_eq!(counts(&found.triangles).into_values().collect::<Vec<_>>(), [25, 14], "{name}");
+    }
+}
+
+/// Every part of the file up to a place where a whole file may end, and any byte changed.
+#[test]
+fn files_that_are_cut_or_changed_are_read_or_refused() {
+    for name in ["gmsh_22_ascii.msh", "gmsh_41_ascii.msh", "gmsh_41_binary.msh"] {
+        let bytes = bytes(name);
+        for length in 0..bytes.trim_ascii_end().len() {
+            assert!(msh::read(&bytes[..length], name).is_err(), "{name}, {length} bytes");
+        }
+    }
+    for name in ["vtk_51_ascii.vtk", "vtk_42_binary.vtk", "vtk_polydata.vtk"] {
+        let bytes = bytes(name);
+        for length in 0..bytes.len() {
+            let _ = vtk::read(&bytes[..length], name);
+            let mut changed = bytes.clone();
+            changed[length] ^= 0x11;
+            let _ = vtk::read(&changed, name);
+        }
+    }
+    for name in ["meshio_zlib.vtu", "vtk_raw_zlib.vtu", "vtk_inline_plain_big.vtu"] {
+        let bytes = bytes(name);
+        for length in 0..bytes.trim_ascii_end().len() {
+            assert!(vtu::read(&bytes[..length], name).is_err(), "{name}, {length} bytes");
+            let mut changed = bytes.clone();
+            changed[length] ^= 0x11;
+            let _ = vtu::read(&changed, name);
+        }
+    }
+}
+
+/// The counts of edges and triangles by group, in the order of their numbers.
+fn sizes(mesh: &Mesh) -> [Vec<(i32, usize)>; 2] {
+    let counted = |tags: &[i32]| {
+        let mut counts = BTreeMap::new();
+        tags.iter().for_each(|&tag| *counts.entry(tag).or_insert(0) += 1);
+        counts.into_iter().collect()
+    };
+    [counted(&mesh.edge_tags), counted(&mesh.triangle_tags)]
+}
+
+#[test]
+fn medit_files_are_read_with_their_numbers() {
+    let (expected, _) = read_msh("gmsh_22_ascii.msh");
+    let read = |name: &str| {
+        let read = medit::read(&bytes(name), name);
+        read.unwrap_or_else(|error| panic!("{error}")).0
+    };
+    let mesh = read("meshio.mesh");
+    assert_eq!((mesh.points.len(), sizes(&mesh)), (27, sizes(&expected)));
+    // Gmsh writes the numbers of its entities.
+    let mesh = read("gmsh.mesh");
+    assert_eq!((mesh.points.len(), mesh.edges.len()), (27, 17));
+    assert_eq!(sizes(&mesh)[1], [(1, 25), (2, 14)]);
+}
+
+#[test]
+fn su2_files_are_read_with_their_markers() {
+    let expected = in_words(told(&read_msh("gmsh_22_ascii.msh").0));
+    let (mesh, _) = su2::read(&bytes("gmsh.su2"), "gmsh.su2").unwrap_or_else(|e| panic!("{e}"));
+    let found = told(&mesh);
+    assert_eq!(found.edges, expected.edges);
+    assert_eq!((found.points, found.triangles.len()), (27, 39));
+}
+
+/// With names that are single words, as Gmsh writes them where names must be.
+fn in_words(mut told: Told) -> Told {
+    let cells = told.edges.iter_mut().chain(&mut told.triangles);
+    cells.for_each(|(_, name)| *name = name.replace(' ', "_"));
+    told
+}
+
+#[test]
+fn sets_of_gmsh_are_read_with_their_names() {
+    let expected = in_words(told(&read_msh("gmsh_22_ascii.msh").0));
+    for name in ["gmsh.inp", "order2.inp"] {
+        let (mesh, _) = inp::read(&bytes(name), name).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(told(&mesh), expected, "{name}");
     }
 }

@@ -17,7 +17,9 @@ fn bits(points: &[[f64; 2]]) -> Vec<[u64; 2]> {
 fn through_vtu(mesh: &Mesh) -> Mesh {
     let mut bytes = Vec::new();
     vtu::write(mesh, &mut bytes).expect("memory takes all");
-    vtu::read(&bytes, "mesh.vtu").unwrap_or_else(|error| panic!("{error}"))
+    let (read, warnings) = vtu::read(&bytes, "mesh.vtu").unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(warnings, []);
+    read
 }
 
 fn through_msh(mesh: &Mesh, options: msh::Options) -> Mesh {

@@ -140,7 +140,10 @@ impl Format {
 
     /// Whether meshes are read from it.
     pub fn meshes_are_read(self) -> bool {
-        matches!(self, Self::Msh | Self::Vtu | Self::Ele)
+        matches!(
+            self,
+            Self::Msh | Self::Vtu | Self::Vtk | Self::Medit | Self::Su2 | Self::Inp | Self::Ele
+        )
     }
 
     /// Whether meshes are written to it.

@@ -5,7 +5,9 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use flate2::read::MultiGzDecoder;
-use meshwright::formats::{Mesh, Pslg, Warning, area, ele, geo, msh, node, obj, poly, vtu};
+use meshwright::formats::{
+    Mesh, Pslg, Warning, area, ele, geo, inp, medit, msh, node, obj, poly, su2, vtk, vtu,
+};
 
 use super::failure::{Exit, Failure, reason};
 use super::format::{Format, listed};
@@ -97,7 +99,11 @@ pub fn any(
             let areas = area::read(&bytes, &name).map_err(Failure::input)?;
             outline(refined::beside_areas(areas, &name, &mut companion)?)
         }
-        Format::Vtu => Content::Mesh(vtu::read(&bytes, &name).map_err(Failure::input)?),
+        Format::Vtu => mesh(vtu::read(&bytes, &name).map_err(Failure::input)?),
+        Format::Vtk => mesh(vtk::read(&bytes, &name).map_err(Failure::input)?),
+        Format::Medit => mesh(medit::read(&bytes, &name).map_err(Failure::input)?),
+        Format::Su2 => mesh(su2::read(&bytes, &name).map_err(Failure::input)?),
+        Format::Inp => mesh(inp::read(&bytes, &name).map_err(Failure::input)?),
         _ => {
             unreachable!("`format_of` refuses formats that are not read")
         }

@@ -42,7 +42,7 @@ pub enum Fault {
         what: String,
     },
     /// The file ends, or the next part begins, before an array does.
-    #[error("array `{array}` ends at byte {end} of the appended data, which has {available}")]
+    #[error("array `{array}` ends at byte {end} of its data, which have {available}")]
     Truncated {
         /// The array's name.
         array: String,
@@ -60,6 +60,16 @@ pub enum Fault {
         expected: u64,
         /// How many it has.
         found: u64,
+    },
+    /// Bytes that cannot be decoded.
+    #[error("array `{array}`: expected {expected}, found {found}")]
+    Coded {
+        /// The array's name.
+        array: String,
+        /// What should be there.
+        expected: &'static str,
+        /// What is there.
+        found: String,
     },
     /// A number that means nothing.
     #[error("array `{array}`, number {index} (from 0): expected {expected}, found {found}")]

@@ -1,6 +1,7 @@
 //! The XML of a `.vtu` file: which arrays there are, and where.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use quick_xml::events::{BytesStart, Event};
 
@@ -12,7 +13,18 @@ pub(super) struct Description {
     pub name: String,
     pub kind: String,
     pub components: u64,
-    pub offset: u64,
+    pub content: Content,
+}
+
+/// Where the numbers of an array stand, and how.
+#[derive(Clone)]
+pub(super) enum Content {
+    /// As text between the tags: a range of the XML.
+    Text(Range<usize>),
+    /// In Base64 between the tags: a range of the XML.
+    Base64(Range<usize>),
+    /// From this byte of the appended data.
+    Appended(u64),
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -30,6 +42,16 @@ pub(super) struct Header {
     pub arrays: Vec<Description>,
     pub points: Option<u64>,
     pub cells: Option<u64>,
+    pub is_big_endian: bool,
+    /// Whether lengths have 64 bits.
+    pub is_wide: bool,
+    pub is_compressed: bool,
+    /// Whether the appended data are Base64.
+    pub is_base64: bool,
+    /// Whether the last tag began an array.
+    is_open: bool,
+    /// Arrays that hold no numbers.
+    pub texts: Vec<String>,
 }
 
 impl Header {
@@ -43,13 +65,14 @@ impl Header {
         let mut section = Section::None;
         loop {
             let event = reader.read_event();
-            let line =
-                line(xml.as_bytes().get(..reader.buffer_position() as usize).unwrap_or_default());
-            let fault = |message: String| Fault::Xml { line, message };
+            let end = reader.buffer_position() as usize;
+            let before = xml.as_bytes().get(..end).unwrap_or_default();
+            let fault = |message: String| Fault::Xml { line: line(before), message };
             match event.map_err(|error| fault(error.to_string()))? {
                 Event::Start(tag) | Event::Empty(tag) => {
-                    header.element(&tag, &mut section, fault)?;
+                    header.element(&tag, &mut section, end, fault)?;
                 }
+                Event::Text(_) => header.extend_content(end),
                 Event::End(tag) if section_of(tag.name().as_ref()).is_some() => {
                     section = Section::None;
                 }
@@ -63,9 +86,11 @@ impl Header {
         &mut self,
         tag: &BytesStart,
         section: &mut Section,
+        end: usize,
         fault: impl Fn(String) -> Fault + Copy,
     ) -> Result<(), Fault> {
         let attributes = attributes(tag, fault)?;
+        self.is_open = tag.name().as_ref() == "DataArray";
         let get = |name: &str| attributes.get(name).cloned();
         let number = |name: &str| match get(name) {
             None => Ok(None),
@@ -74,17 +99,23 @@ impl Header {
                 Err(_) => Err(fault(format!("expected a number in {name}, found `{value}`"))),
             },
         };
-        let must = |attribute, expected, default: &str| {
+        let one_of = |attribute, expected: &'static str, default: &str| {
             let found = get(attribute).unwrap_or_else(|| default.to_owned());
-            let same = found == expected;
-            if same { Ok(()) } else { Err(Fault::Unsupported { attribute, expected, found }) }
+            match expected.split(" or ").position(|value| value == found) {
+                Some(place) => Ok(place),
+                None => Err(Fault::Unsupported { attribute, expected, found }),
+            }
         };
         match tag.name().as_ref() {
             "VTKFile" => {
-                must("type", "UnstructuredGrid", "")?;
-                must("byte_order", "LittleEndian", "LittleEndian")?;
-                must("header_type", "UInt64", "UInt32")?;
-                must("compressor", "", "")?;
+                one_of("type", "UnstructuredGrid", "")?;
+                let orders = "LittleEndian or BigEndian";
+                self.is_big_endian = one_of("byte_order", orders, "LittleEndian")? == 1;
+                self.is_wide = one_of("header_type", "UInt32 or UInt64", "UInt32")? == 1;
+                self.is_compressed = match get("compressor").unwrap_or_default() {
+                    none if none.is_empty() => false,
+                    _ => one_of("compressor", "vtkZLibDataCompressor", "")? == 0,
+                };
             }
             "Piece" => {
                 if self.points.is_some() {
@@ -94,16 +125,25 @@ impl Header {
                 self.cells = number("NumberOfCells")?;
             }
             "DataArray" => {
-                must("format", "appended", "ascii")?;
                 let name = get("Name").unwrap_or_default();
                 let missing = |what| Fault::Missing { what: format!("{what} of array `{name}`") };
-                let offset = number("offset")?.ok_or_else(|| missing("the offset"))?;
                 let kind = get("type").ok_or_else(|| missing("the type"))?;
+                if kind == "String" {
+                    self.texts.push(name);
+                    self.is_open = false;
+                    return Ok(());
+                }
+                let content = match one_of("format", "ascii or binary or appended", "ascii")? {
+                    0 => Content::Text(end..end),
+                    1 => Content::Base64(end..end),
+                    _ => Content::Appended(number("offset")?.ok_or_else(|| missing("the offset"))?),
+                };
                 let components = number("NumberOfComponents")?.unwrap_or(1);
                 let section = *section;
-                self.arrays.push(Description { section, name, kind, components, offset });
+                self.arrays.push(Description { section, name, kind, components, content });
             }
-            "AppendedData" => must("encoding", "raw", "")?,
+            "Array" => self.texts.push(get("Name").unwrap_or_default()),
+            "AppendedData" => self.is_base64 = one_of("encoding", "raw or base64", "")? == 1,
             name => {
                 if let Some(entered) = section_of(name) {
                     *section = entered;
@@ -111,6 +151,18 @@ impl Header {
             }
         }
         Ok(())
+    }
+
+    /// Text between tags: the numbers of the array whose tag ends where the text begins.
+    fn extend_content(&mut self, end: usize) {
+        if let Some(Description { content: Content::Text(range) | Content::Base64(range), .. }) =
+            self.arrays.last_mut()
+            && range.start == range.end
+            && self.is_open
+        {
+            range.end = end;
+        }
+        self.is_open = false;
     }
 }
 

@@ -25,7 +25,7 @@ use crate::vtk_xml::{Document, Options};
 /// };
 /// let mut bytes = Vec::new();
 /// vtu::write(&mesh, &mut bytes)?;
-/// assert_eq!(vtu::read(&bytes, "one.vtu")?, mesh);
+/// assert_eq!(vtu::read(&bytes, "one.vtu")?.0, mesh);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
