@@ -59,7 +59,7 @@ pub mod statistics;
 pub mod triangulation;
 mod vector;
 
-pub use outline_of::{OutlineOfError, outline_of};
+pub use outline_of::{OutlineOfError, boundary_of, outline_of};
 pub use parameters::{
     Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,
 };

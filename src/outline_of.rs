@@ -81,9 +81,62 @@ pub fn outline_of(mesh: &Mesh, max_areas: &[Option<f64>]) -> Result<Pslg, Outlin
         regions: regions(mesh, &sides)?,
         local_areas: local_areas.collect(),
         groups: mesh.groups.clone(),
+        // The edges come first among the segments: their indices stay.
+        memberships: mesh.memberships.clone(),
         source: Source { first_number: 1, ..Source::default() },
         ..Pslg::default()
     })
+}
+
+/// The outline that a mesh was made from, as far as the mesh tells: its boundary, its edges and
+/// what separates two regions, with their tags, and nothing of what lies between. It can be meshed
+/// anew.
+///
+/// Of the points those stay that are on a segment or in a group, in their order; a side of triangles
+/// is a segment each.
+///
+/// ```
+/// use meshwright::{Mesh, boundary_of};
+/// let mesh = Mesh {
+///     points: vec![[0.0, 0.0], [0.5, 0.5], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+///     triangles: vec![[0, 2, 1], [2, 3, 1], [3, 4, 1], [4, 0, 1]],
+///     ..Mesh::default()
+/// };
+/// let outline = boundary_of(&mesh)?;
+/// assert_eq!(outline.points.len(), 4);
+/// assert_eq!(outline.segments, [[0, 1], [0, 3], [1, 2], [2, 3]]);
+/// # Ok::<(), meshwright::OutlineOfError>(())
+/// ```
+///
+/// # Errors
+/// See [`OutlineOfError`].
+pub fn boundary_of(mesh: &Mesh) -> Result<Pslg, OutlineOfError> {
+    let mut pslg = outline_of(mesh, &[])?;
+    let mut is_kept = vec![false; pslg.points.len()];
+    pslg.segments.iter().flatten().for_each(|&point| is_kept[point as usize] = true);
+    let of_points = pslg.memberships.iter().filter(|membership| membership.dim == 0);
+    of_points.for_each(|membership| is_kept[membership.item as usize] = true);
+    let mut kept = 0;
+    let place: Vec<u32> = is_kept
+        .iter()
+        .map(|&is_kept| {
+            kept += u32::from(is_kept);
+            kept.wrapping_sub(1)
+        })
+        .collect();
+    pslg.segments.iter_mut().flatten().for_each(|point| *point = place[*point as usize]);
+    let of_points = pslg.memberships.iter_mut().filter(|membership| membership.dim == 0);
+    of_points.for_each(|membership| membership.item = place[membership.item as usize]);
+    keep(&mut pslg.points, &is_kept);
+    keep(&mut pslg.point_markers, &is_kept);
+    pslg.point_attributes.iter_mut().for_each(|attribute| keep(&mut attribute.values, &is_kept));
+    Ok(pslg)
+}
+
+/// Keeps some items of an array that may be empty.
+fn keep<T>(items: &mut Vec<T>, is_kept: &[bool]) {
+    let mut kept = is_kept.iter();
+    items.retain(|_| kept.next().is_some_and(|&kept| kept));
 }
 
 /// The sides of triangles, sorted by their ends (the smaller one first), and the edges.

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use meshwright::certify::Promise;
-use meshwright::formats::{Enclosed, Pslg};
+use meshwright::formats::{Enclosed, Mesh, Pslg};
 use meshwright::{Excuse, MinAngle, MinAngleError, Parameters, Region};
 
 use super::failure::Failure;
@@ -132,6 +132,12 @@ impl Scale {
     /// The factor, where there is one.
     pub fn factor(self) -> Option<f64> {
         self.scale
+    }
+
+    /// The mesh with its points' coordinates multiplied.
+    pub fn apply_to_mesh(self, mesh: &mut Mesh) {
+        let Some(factor) = self.scale else { return };
+        mesh.points.iter_mut().flatten().for_each(|x| *x *= factor);
     }
 
     /// The outline with every length multiplied.

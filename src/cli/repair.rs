@@ -35,6 +35,11 @@ impl RepairOptions {
         Self { repair: true, tolerance: (tolerance > 0.0).then_some(tolerance) }
     }
 
+    /// Whether mending is asked for.
+    pub fn is_asked(self) -> bool {
+        self.repair
+    }
+
     /// Mends an outline, if that is asked for, and warns of what was lost.
     pub fn mend(self, given: Pslg, voice: &Voice) -> Result<Mended, Failure> {
         let tolerance = self.tolerance.unwrap_or(0.0);
