@@ -3,12 +3,12 @@
 //! [`Pslg`] is what every outline reader makes, [`Mesh`] what every mesh writer takes. This crate
 //! knows files and flat arrays; it knows no geometry.
 //!
-//! Outlines: [`poly`], [`node`], [`obj`], [`geo`]. Meshes: [`msh`] and [`vtu`]; Triangle's files,
-//! each of which holds a part: [`node`] and [`ele`], with the edges in [`poly`]; [`area`] (read
-//! only). Written only: [`vtk`], [`vtp`], [`gltf`], [`medit`], [`su2`], [`inp`], [`xdmf`], [`stl`],
+//! Outlines: [`poly`], [`node`], [`obj`], [`geo`]. Meshes: [`msh`], [`vtu`], [`vtk`], [`medit`],
+//! [`su2`], [`inp`]; Triangle's files, each of which holds a part: [`node`] and [`ele`], with the
+//! edges in [`poly`]; [`area`] (read only). Written only: [`vtp`], [`gltf`], [`xdmf`], [`stl`],
 //! [`obj`] of a mesh, [`edge`] and [`neigh`].
 //!
-//! A reader takes text and a name for its messages; it returns what it read and what it passed over
+//! A reader takes bytes and a name for its messages; it returns what it read and what it passed over
 //! ([`Warning`]). A writer takes a [`std::io::Write`] and returns what became of the tags
 //! ([`groups::Note`]). [`selection`] takes parts of a mesh.
 

@@ -361,6 +361,9 @@ impl<'a> Scanner<'a> {
 
     /// The error that a word is not what it should be.
     pub fn unexpected(&self, word: Word, expected: impl Into<Cow<'static, str>>) -> SyntaxError {
+        if word.start < self.line_start && !self.is_binary {
+            return self.unexpected_at(word.start, expected); // it stands in a line before
+        }
         let found = Found::Word(String::from_utf8_lossy(word.bytes).into_owned());
         self.error(word.start, self.line, self.line_start, expected.into(), found)
     }

@@ -274,3 +274,54 @@ fn sets_of_gmsh_are_read_with_their_names() {
         assert_eq!(told(&mesh), expected, "{name}");
     }
 }
+
+#[test]
+fn half_a_surrogate_in_a_name_is_an_error_with_its_place() {
+    // U+D800 as three bytes, as a reference, and as escaped bytes.
+    let half = b"\xed\xa0\x80";
+    let named = |head: &str, tail: &str| [head.as_bytes(), half, tail.as_bytes()].concat();
+    let file = named("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 5 \"", "\"\n");
+    let error = msh::read(&file, "a.msh").expect_err("no name").to_string();
+    assert!(error.starts_with("a.msh:6:5: expected a name between double quotes"), "{error}");
+    assert!(error.ends_with("help: its bytes are no UTF-8"), "{error}");
+    let file = named("NDIME= 2\nMARKER_TAG= ", "\n");
+    let error = su2::read(&file, "a.su2").expect_err("no name").to_string();
+    assert!(error.starts_with("a.su2:2:13: expected a name in UTF-8"), "{error}");
+    let file = named("*NODE, NSET=", "\n");
+    let error = inp::read(&file, "a.inp").expect_err("no name").to_string();
+    assert!(error.starts_with("a.inp:1:1: expected a keyword line in UTF-8"), "{error}");
+    let file =
+        "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nFIELD F 1\n%ED%A0%80 1 1 int\n";
+    let error = vtk::read(file.as_bytes(), "a.vtk").expect_err("no name").to_string();
+    assert!(error.starts_with("a.vtk:6:1: expected a name in UTF-8, found `%ED%A0%80`"), "{error}");
+    let file = "<VTKFile type=\"UnstructuredGrid\">\n<DataArray type=\"Int8\" Name=\"&#xD800;\"/></VTKFile>";
+    let error = vtu::read(file.as_bytes(), "a.vtu").expect_err("no name").to_string();
+    assert!(error.starts_with("a.vtu: line 2: "), "{error}");
+    let file = named("<VTKFile type=\"UnstructuredGrid\">\n<DataArray Name=\"", "\"/></VTKFile>");
+    let error = vtu::read(&file, "a.vtu").expect_err("no name").to_string();
+    assert_eq!(error, "a.vtu: line 2: the header is not UTF-8");
+}
+
+#[test]
+fn a_billion_announced_takes_no_memory() {
+    let billion = "1000000000";
+    let msh2 = format!("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{billion}\n1 0 0 0\n");
+    let msh4 = format!(
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 {billion} 1 {billion}\n\
+                        2 1 0 {billion}\n1\n"
+    );
+    let vtk =
+        format!("# vtk DataFile Version 5.1\n\nASCII\nDATASET POLYDATA\nPOINTS {billion} float\n");
+    let medit = format!("MeshVersionFormatted 2 Dimension 2 Vertices {billion}\n0 0 0\n");
+    let su2 = format!("NDIME= 2\nNPOIN= {billion}\n0 0\n");
+    let found = "found the end of the file";
+    let says = |error: &dyn std::fmt::Display| {
+        let error = error.to_string();
+        assert!(error.contains(found) && error.contains(billion), "{error}");
+    };
+    says(&msh::read(msh2.as_bytes(), "a").expect_err("cut"));
+    says(&msh::read(msh4.as_bytes(), "a").expect_err("cut"));
+    says(&vtk::read(vtk.as_bytes(), "a").expect_err("cut"));
+    says(&medit::read(medit.as_bytes(), "a").expect_err("cut"));
+    says(&su2::read(su2.as_bytes(), "a").expect_err("cut"));
+}

@@ -1,6 +1,7 @@
 //! The command as a user meets it: exit codes, messages, files.
 
 mod bench;
+mod converting;
 mod drawing;
 mod files;
 mod json;

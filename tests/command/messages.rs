@@ -96,7 +96,7 @@ fn a_file_of_the_wrong_kind_is_refused() {
         ("mesh two.msh", "two.msh holds a mesh, where an outline is wanted (.poly, "),
         (
             "check square.poly",
-            "square.poly holds an outline, where a mesh is wanted (.msh, .vtu, .ele)",
+            "square.poly holds an outline, where a mesh is wanted (.msh, .vtu, .vtk, ",
         ),
         ("info site.dxf", "site.dxf: files that end in .dxf are not read"),
         ("mesh site", "site: its name does not tell its format"),

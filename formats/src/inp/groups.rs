@@ -10,6 +10,9 @@ use crate::pslg::{Membership, Tag};
 use crate::tags::{self, Named};
 use crate::text::Scanner;
 
+/// A surface: its name, and the ends of each side.
+type Sides<'a> = (&'a str, Vec<[u32; 2]>);
+
 /// Sets of all, which CalculiX's users and writers of meshes name so: they are no group.
 const ALL: [&str; 2] = ["EALL", "NALL"];
 
@@ -19,7 +22,7 @@ pub(super) struct Groups<'a> {
     triangles: Vec<(&'a str, Vec<u32>)>,
     lines: Vec<(&'a str, Vec<u32>)>,
     /// Edges as their ends.
-    surfaces: Vec<(&'a str, Vec<[u32; 2]>)>,
+    surfaces: Vec<Sides<'a>>,
     points: Vec<(&'a str, Vec<u32>)>,
 }
 
@@ -140,7 +143,7 @@ fn surfaces<'a>(
     corners: &[u32],
     elements: &mut Members,
     scanner: &Scanner,
-) -> Result<Vec<(&'a str, Vec<[u32; 2]>)>, SyntaxError> {
+) -> Result<Vec<Sides<'a>>, SyntaxError> {
     let mut surfaces = Vec::new();
     for surface in &reader.surfaces {
         let mut edges = Vec::new();

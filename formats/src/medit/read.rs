@@ -228,6 +228,13 @@ mod tests {
         assert_eq!(said, expected);
     }
 
+    /// Found by fuzzing: the keyword stands in a line before the number that was read last.
+    #[test]
+    fn other_cells_are_named_by_their_keyword() {
+        let text = "MeshVersionFormatted 2\nTetrahedra\n\n1\n1 2 3 4 0\nEnd\n";
+        assert_eq!(error(text), "a.mesh:2:1: expected Edges or Triangles, found `Tetrahedra`");
+    }
+
     #[test]
     fn every_shorter_file_is_refused() {
         for length in 0..MESH.trim_end().len() {

@@ -281,7 +281,7 @@ impl Reader {
             let (true, Some(word)) = (is_there, word) else {
                 return Err(scanner.missing(format!("array {} of {arrays}", index + 1)));
             };
-            let name = decoded(word.bytes);
+            let name = decoded(scanner, word)?;
             let components = scanner.integer("the number of components", 0, MOST_COMPONENTS)?;
             let what = "the number of tuples";
             let tuples = match of {
@@ -343,7 +343,7 @@ impl Reader {
         let keyword = word.bytes.to_ascii_uppercase();
         let what = "the name of an array";
         let Some(name) = scanner.word() else { return Err(scanner.missing(what)) };
-        let name = decoded(name.bytes);
+        let name = decoded(scanner, name)?;
         let components = match keyword.as_slice() {
             b"SCALARS" => return self.scalars(scanner, name, of, count),
             b"LOOKUP_TABLE" => {
@@ -434,9 +434,9 @@ fn keyword(scanner: &mut Scanner, word: &str, what: &'static str) -> Result<(), 
 }
 
 /// A name in which `%` and two hexadecimal digits stand for a byte.
-fn decoded(name: &[u8]) -> String {
+fn decoded(scanner: &Scanner, name: Word) -> Result<String, SyntaxError> {
     let mut bytes = Vec::new();
-    let mut rest = name;
+    let mut rest = name.bytes;
     while let [byte, after @ ..] = rest {
         let coded = match rest {
             [b'%', high, low, ..] => [high, low].map(|&digit| (digit as char).to_digit(16)),
@@ -450,5 +450,5 @@ fn decoded(name: &[u8]) -> String {
             rest = after;
         }
     }
-    String::from_utf8_lossy(&bytes).into_owned()
+    String::from_utf8(bytes).map_err(|_| scanner.unexpected(name, "a name in UTF-8"))
 }
