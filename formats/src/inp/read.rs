@@ -286,7 +286,7 @@ impl Reader {
         Ok(assembly.finish(scanner.file()))
     }
 
-    /// The nodes of all cells, by index.
+    /// The nodes of all cells, by index, corners first.
     fn corners(&self, scanner: &Scanner) -> Result<Vec<u32>, SyntaxError> {
         let mut corners = Vec::with_capacity(self.cell_nodes.len());
         let mut start = 0;
@@ -297,6 +297,9 @@ impl Reader {
                     let place = scanner.place_of_word(cell.place, nth + 1);
                     scanner.unexpected_at(place, "the number of a node")
                 })?);
+            }
+            if cell.shape == Shape::Edge && cell.end - start == 3 {
+                corners.swap(start + 1, start + 2); // the middle node stands between the ends
             }
             start = cell.end;
         }
