@@ -16,7 +16,7 @@
 //! Surfaces become regions with the number of their physical group, curves become segments. Only
 //! what a surface covers is meshed. A script without any physical group has each surface and each
 //! curve as a group of its own. Curves are cut into straight pieces as long as the sizes ask for,
-//! and short enough that no surface loses more than half a percent of its area.
+//! and short enough that no surface loses more than a hundredth of its area.
 
 mod error;
 mod evaluate;

@@ -14,7 +14,7 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::mesh::Mesh;
-use crate::pslg::{Group, Tag};
+use crate::pslg::{Group, Pslg, Tag};
 
 pub use note::Note;
 pub(crate) use note::numbers_only;
@@ -231,6 +231,13 @@ impl Table {
             Err(_) => panic!("every tag of a triangle has a group"),
         }
     }
+}
+
+/// What is said of the segments of an outline that are in more than one group, where the file holds
+/// one.
+pub(crate) fn further_groups(outline: &Pslg) -> Option<Note> {
+    let count = outline.memberships.iter().filter(|membership| membership.dim == 1).count();
+    (count > 0).then_some(Note::FurtherGroups { count })
 }
 
 /// The user's names as the file can hold them, by dimension and tag.

@@ -292,6 +292,7 @@ impl<'a> Reader<'a> {
         if self.segments.is_empty() && self.free_points.is_empty() {
             return Err(self.nothing());
         }
+        let last_line = self.vertex_lines.iter().chain(&self.segment_lines).max().copied();
         let mut warnings = self.passed_over();
         let numbers = self.leave_unused_out(&mut warnings);
         plane::flatten(&mut self, &numbers, &mut warnings)?;
@@ -308,6 +309,7 @@ impl<'a> Reader<'a> {
                 point_lines: self.vertex_lines,
                 segment_lines: self.segment_lines,
                 point_numbers: numbers,
+                last_line,
                 ..Source::default()
             },
             ..Pslg::default()

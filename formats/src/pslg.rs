@@ -134,6 +134,9 @@ pub struct Source {
     pub segment_numbers: Vec<i64>,
     /// The file's own number of each point, where those do not simply count up; else empty.
     pub point_numbers: Vec<i64>,
+    /// The last line (one-based) that holds a point or a segment, where nothing in the file says
+    /// how many there are: only so can it be seen that a file was cut off.
+    pub last_line: Option<u32>,
 }
 
 impl Source {

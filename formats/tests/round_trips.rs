@@ -92,6 +92,45 @@ fn distinct_names(groups: &[Group]) -> bool {
     names.len() == groups.len()
 }
 
+/// An outline of points and tagged segments, with the names of tags in use.
+fn outline() -> impl Strategy<Value = Pslg> {
+    common::mesh().prop_map(|mesh| {
+        let is_used = |group: &Group| group.dim == 1 && mesh.edge_tags.contains(&group.tag);
+        Pslg {
+            groups: mesh.groups.iter().filter(|group| is_used(group)).cloned().collect(),
+            points: mesh.points,
+            segments: mesh.edges,
+            segment_tags: mesh.edge_tags,
+            ..Pslg::default()
+        }
+    })
+}
+
+fn through_obj(outline: &Pslg) -> (Pslg, Vec<groups::Note>) {
+    let mut text = Vec::new();
+    let notes = obj::write_outline(outline, &mut text).expect("memory takes all");
+    let (read, _) = obj::read(&text, "outline.obj").unwrap_or_else(|error| panic!("{error}"));
+    (Pslg { source: Source::default(), ..read }, notes)
+}
+
+fn through_poly(outline: &Pslg) -> (Pslg, Vec<groups::Note>) {
+    let mut text = Vec::new();
+    let notes = poly::write_outline(outline, &mut text).expect("memory takes all");
+    let read = poly::read(&text, "outline.poly", |_| unreachable!("it holds its points"));
+    let (read, _) = read.unwrap_or_else(|error| panic!("{error}"));
+    (Pslg { source: Source::default(), ..read }, notes)
+}
+
+/// The names that are written as they are.
+fn plain_names(outline: &Pslg, notes: &[groups::Note]) -> Vec<Group> {
+    let is_changed = |name: &str| {
+        notes
+            .iter()
+            .any(|note| matches!(note, groups::Note::NameChanged { name: n, .. } if n == name))
+    };
+    outline.groups.iter().filter(|group| !is_changed(&group.name)).cloned().collect()
+}
+
 /// A region whose attribute is a whole number.
 fn region() -> impl Strategy<Value = Region> {
     let area = prop_oneof![Just(None), (1e-3..1e3).prop_map(Some)];
@@ -201,6 +240,31 @@ proptest! {
         let read = poly::read(&text, "outline.poly", |_| unreachable!("it holds its points"));
         let (read, _) = read.unwrap_or_else(|error| panic!("{error}"));
         prop_assert_eq!(Pslg { source: Source::default(), ..read }, outline);
+    }
+
+    #[test]
+    fn a_poly_file_comes_back_from_an_obj_file(outline in outline()) {
+        let (first, _) = through_poly(&outline);
+        let (between, notes) = through_obj(&first);
+        prop_assert_eq!(notes, []);
+        let (last, _) = through_poly(&between);
+        prop_assert_eq!(bits(&last.points), bits(&outline.points));
+        prop_assert_eq!(&last, &first);
+    }
+
+    #[test]
+    fn an_obj_file_comes_back_from_a_poly_file_but_for_names(outline in outline()) {
+        let (first, notes) = through_obj(&outline);
+        for group in plain_names(&outline, &notes) {
+            prop_assert!(first.groups.contains(&group), "{:?} in {:?}", group, first.groups);
+        }
+        let (between, notes) = through_poly(&first);
+        let names = first.groups.len();
+        prop_assert_eq!(names > 0, matches!(&notes[..], [groups::Note::NumbersOnly { dim: 1, .. }]));
+        let (last, _) = through_obj(&between);
+        prop_assert_eq!(bits(&last.points), bits(&outline.points));
+        prop_assert_eq!(last.segments, outline.segments);
+        prop_assert_eq!(last.segment_tags, outline.segment_tags);
     }
 
     #[test]

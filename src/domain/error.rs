@@ -82,12 +82,16 @@ pub enum Error {
     /// The segments form no closed loop.
     #[error(
         "the outline encloses nothing{open_ends}\n\
-         help: {}`--region hull` meshes the convex hull of the points",
-        .open_ends.advice().map(|advice| advice + "; ").unwrap_or_default()
+         help: {}{}`--region hull` meshes the convex hull of the points",
+        .open_ends.advice().map(|advice| advice + "; ").unwrap_or_default(),
+        .last_line.map(|line| format!("line {line} is the last: is the file whole? "))
+            .unwrap_or_default()
     )]
     EnclosesNothing {
         /// Where it is open.
         open_ends: OpenEnds,
+        /// The last line of a file that may have been cut off.
+        last_line: Option<u32>,
     },
     /// Faces are enclosed, but only those with a region's seed are meshed, and none has one.
     #[error(

@@ -56,7 +56,8 @@ impl Clean<'_> {
             } else if faces.count() > OUTSIDE + 1 {
                 Error::NoFaceHasSeed { faces: faces.count() - OUTSIDE - 1 }
             } else {
-                Error::EnclosesNothing { open_ends }
+                let last_line = self.pslg.source.last_line.filter(|_| open_ends.count > 0);
+                Error::EnclosesNothing { open_ends, last_line }
             });
         }
         let points = self.points_in(&faces);

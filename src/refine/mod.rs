@@ -10,7 +10,7 @@
 //! | splitting on dyadic ladders (ours) | [`ladder`] |
 //! | points, midpoints, circumcenters, §3 | [`provenance`] |
 //! | Steiner points, §3 and ours | [`steiner`], `look_ahead` |
-//! | any further trigger (ours) | [`sizing`], [`local_areas`], [`sizes`], [`soft`] |
+//! | any further trigger (ours) | [`sizing`], [`local_areas`], [`sizes`], `division`, [`soft`] |
 //! | features one by one, §3 | [`incremental`] |
 //! | the Terminator, for comparison (§1) | [`terminator`] |
 //! | what is done, step by step | [`trace`] |
@@ -20,6 +20,7 @@
 mod augment;
 pub mod conformality;
 pub mod counters;
+mod division;
 pub mod excuse;
 pub mod incremental;
 pub mod interpolation;
@@ -225,9 +226,7 @@ impl<'a> Refinement<'a> {
         if self.parameters.splitting == Splitting::Augment {
             self.augment()?;
         }
-        self.find_encroached_subsegments();
-        self.restore_conformality(&mut watch)?;
-        self.split_what_is_longer_than_its_size(&mut watch)?;
+        self.divide_by_sizes(&mut watch)?;
         for tile in self.tiles() {
             for slot in tile {
                 self.queue_if_bad(slot);
@@ -352,9 +351,14 @@ impl<'a> Refinement<'a> {
             Steiner::LookAhead => self.look_ahead(entry, trigger),
             _ => None,
         };
-        let usual = || self.precision.round(steiner::point(self.parameters, corners, trigger));
-        let point = ahead.unwrap_or_else(usual);
         let vertices = self.mesh.triangles[entry.slot as usize].vertices;
+        let usual = || {
+            self.precision.round(match self.size_over_edge(vertices, trigger) {
+                Some(size) => steiner::at_size(corners, trigger, size),
+                None => steiner::point(self.parameters, corners, trigger),
+            })
+        };
+        let point = ahead.unwrap_or_else(usual);
         let proposer = Proposer { vertices, trigger, point };
         if let Err(rejected) = self.cavity.of_steiner_point(&self.mesh, point, entry.slot) {
             self.refuse(entry, proposer, rejected.into());

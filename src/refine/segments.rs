@@ -85,6 +85,13 @@ impl Segments {
         Angle::at(at(s[i]), at(s[1 - i]), at(t[1 - j]))
     }
 
+    /// The sine of the smallest angle below 90° to an adjoining segment at each end; 0 where there
+    /// is none.
+    #[must_use]
+    pub fn sines(&self, segment: u32) -> [f64; 2] {
+        self.sines[segment as usize]
+    }
+
     /// Where the piece of `segment` between the vertices `piece` is split.
     #[must_use]
     pub fn split(

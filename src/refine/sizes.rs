@@ -1,33 +1,34 @@
 //! Target sizes: how long edges should be, as it is given at the points of the outline.
 //!
-//! Along a segment the size is linear. Segments are cut to their sizes first; inside, the size is
-//! then linear on the triangles between these points ([`interpolation`](super::interpolation)). So
-//! it is a fixed function of the place, bounded from below by the smallest size given, and the
-//! trigger keeps every promise (ALGORITHM §6).
+//! Along a segment the size is linear. Segments are cut to their sizes first (`division`), and a
+//! vertex then has the mean length of the pieces there as its size; inside, the size is a mean over
+//! the triangles between these points ([`interpolation`](super::interpolation)). So it is a fixed
+//! function of the place, bounded from below, and the trigger keeps every promise (ALGORITHM §6).
 
-use std::ops::ControlFlow;
-
-use super::interpolation::{Background, mean};
-use super::trace::Cause;
-use super::{Flow, Refinement, Watch};
+use super::Refinement;
+use super::interpolation::{Background, Weights, mean};
+use super::quality::Trigger;
+use crate::corners::{next, previous};
 use crate::domain::Domain;
+use crate::parameters::Steiner;
 use crate::predicates::Relative;
-use crate::triangulation::Edge;
 
 /// A triangle is too large where its circumradius is more than this times the size at its corners.
 ///
-/// Choice: so a mesh of one size has as many triangles as equilateral ones of that edge would be
-/// (those have 1/√3), and as many as Gmsh makes: the circumradii end between half of the bound and
-/// the bound.
-const LARGEST_RADIUS: f64 = 0.78;
+/// Choice: an equilateral triangle of that edge has 1/√3; half a square of that edge, 1/√2, is too
+/// large, as in Gmsh: a mesh of one size then has about as many triangles as equilateral ones.
+const LARGEST_RADIUS: f64 = 0.7;
+
+/// Inside, the mean of sizes is that of their powers.
+///
+/// Choice: away from a small detail sizes grow a little faster than on a straight line, as they
+/// do in Gmsh: there a size comes from the triangle that a point is put into, and each point changes
+/// the triangles.
+const POWER: f64 = 1.3;
 
 /// The least circumradius, in sizes, of a triangle that is attacked for a soft target alone: some
 /// half of what sizes leave.
 const LEAST_SOFT_RADIUS: f64 = 0.2;
-
-/// A subsegment is too long where it is more than this times the size at its ends: halved again and
-/// again, pieces are of the size on average.
-const LONGEST_PIECE: f64 = 1.4;
 
 /// The size at every vertex.
 #[derive(Debug, Clone)]
@@ -53,8 +54,28 @@ impl Sizes {
         })
     }
 
+    /// The size at a vertex; infinite where there is none.
+    #[must_use]
+    pub fn at(&self, vertex: u32) -> f64 {
+        self.of_vertices[vertex as usize]
+    }
+
+    /// Changes the size at a vertex.
+    pub fn set(&mut self, vertex: u32, size: f64) {
+        self.of_vertices[vertex as usize] = size;
+    }
+
+    /// The size at a place inside, by the vertices around it.
+    fn inside(&self, weights: Weights) -> f64 {
+        let finite = weights.map(|(v, _)| self.at(v)).into_iter().filter(|size| size.is_finite());
+        // Of parts of the largest, so that twice the sizes have exactly twice the mean.
+        let largest = finite.fold(0.0, f64::max);
+        let mean = mean(weights, |v| libm::pow(self.at(v) / largest, POWER));
+        libm::pow(mean, 1.0 / POWER) * largest
+    }
+
     fn mean_at<const N: usize>(&self, vertices: [u32; N]) -> f64 {
-        mean(vertices.map(|v| (v, 1.0)), |v| self.of_vertices[v as usize])
+        mean(vertices.map(|v| (v, 1.0)), |v| self.at(v))
     }
 
     /// The circumradius of a triangle, in the sizes at its corners.
@@ -65,36 +86,9 @@ impl Sizes {
         let product = a.squared.sqrt() * b.squared.sqrt() * third.sqrt();
         product / (self.mean_at(vertices) * 2.0 * a.cross(b))
     }
-
-    fn is_too_long(&self, ends: [u32; 2], [a, b]: [[f64; 2]; 2]) -> bool {
-        let longest = LONGEST_PIECE * self.mean_at(ends);
-        Relative::of(a, b).squared > longest * longest
-    }
 }
 
 impl Refinement<'_> {
-    /// Cuts every subsegment to its size; what lies between the points that there are then is the
-    /// background of the sizes inside.
-    pub(super) fn split_what_is_longer_than_its_size(&mut self, watch: &mut Watch) -> Flow {
-        if self.sizes.is_none() {
-            return ControlFlow::Continue(());
-        }
-        let edges: Vec<Edge> = self.mesh.constrained_edges().collect();
-        let mut pieces: Vec<[u32; 2]> = edges.iter().map(|&edge| self.mesh.ends(edge)).collect();
-        while let Some(ends @ [a, b]) = pieces.pop() {
-            if self.is_longer_than_its_size(ends) && self.mesh.subsegment(a, b).is_some() {
-                self.leave_room()?;
-                if self.split(ends, Cause::Size) {
-                    let middle = self.mesh.points.len() as u32 - 1;
-                    pieces.extend([[a, middle], [middle, b]]);
-                }
-            }
-        }
-        self.restore_conformality(watch)?;
-        self.keep_background();
-        ControlFlow::Continue(())
-    }
-
     /// From here on the size inside is linear on the triangles that there are now.
     pub(super) fn keep_background(&mut self) {
         let Some(sizes) = &mut self.sizes else { return };
@@ -105,14 +99,18 @@ impl Refinement<'_> {
         }
     }
 
-    fn is_longer_than_its_size(&self, ends: [u32; 2]) -> bool {
-        let corners = ends.map(|v| self.mesh.points[v as usize]);
-        self.sizes.as_ref().is_some_and(|sizes| sizes.is_too_long(ends, corners))
-    }
-
     /// Whether a triangle is larger than the sizes at its corners ask for.
     pub(super) fn is_larger_than_its_size(&self, slot: u32) -> bool {
         self.radius_in_sizes(slot).is_some_and(|radius| radius > LARGEST_RADIUS)
+    }
+
+    /// The size over the shortest edge of a triangle that is only too large for it; `None` where
+    /// Steiner points are circumcenters, or there are no sizes.
+    pub(super) fn size_over_edge(&self, vertices: [u32; 3], trigger: Trigger) -> Option<f64> {
+        let sizes = self.sizes.as_ref().filter(|_| trigger.only_size)?;
+        let edge = [next(trigger.edge), previous(trigger.edge)].map(|i| vertices[i]);
+        let size = mean(edge.map(|v| (v, 1.0)), |v| sizes.at(v));
+        (size.is_finite() && self.parameters.steiner != Steiner::Circumcenter).then_some(size)
     }
 
     /// Whether a triangle is so large for the size there that an angle may be attacked that only
@@ -133,7 +131,8 @@ impl Refinement<'_> {
         let near = self.cavity.boundary[0].ends[0] as usize;
         sizes.background.slot = sizes.slots.get(near).map_or(0, |&slot| slot as usize);
         let weights = self.weights(vertex, &mut sizes.background);
-        let size = mean(weights, |v| sizes.of_vertices[v as usize]);
+        let on_segment = self.provenances.segment_point(vertex).is_some();
+        let size = if on_segment { mean(weights, |v| sizes.at(v)) } else { sizes.inside(weights) };
         sizes.of_vertices.push(size);
         sizes.slots.push(sizes.background.slot as u32);
         self.sizes = Some(sizes);

@@ -22,6 +22,21 @@ pub fn point(parameters: &Parameters, corners: [[f64; 2]; 3], trigger: Trigger) 
     on_bisector(a, b, height)
 }
 
+/// The point that removes a triangle which is only too large for the size there: over its shortest
+/// edge so high that the new triangle has the circumradius of an equilateral one of that size, as
+/// where a front advances; never beyond the circumcenter.
+///
+/// No vertex is nearer than the size over √3, or than the circumcenter's height: a floor.
+#[must_use]
+pub fn at_size(corners: [[f64; 2]; 3], trigger: Trigger, size: f64) -> [f64; 2] {
+    let [a, b] = [corners[next(trigger.edge)], corners[previous(trigger.edge)]];
+    let circumcenter = trigger.angle.dot / (2.0 * trigger.angle.cross);
+    // In lengths of the edge, which is a chord of that circle.
+    let radius = (size / (3.0 * trigger.squared).sqrt()).max(0.5);
+    let height = radius + (radius * radius - 0.25).sqrt();
+    on_bisector(a, b, height.min(circumcenter))
+}
+
 /// λ = 0.475·cot(κ̂/2): the height of Üngör's off-center over the trigger edge, in its lengths.
 /// There the new triangle's angle opposite is a little above κ̂. With a soft target that takes κ̂'s
 /// place here.
@@ -50,6 +65,15 @@ mod tests {
         let [x, y] = steiner_point(Steiner::Circumcenter);
         assert_eq!(x, 0.5);
         assert!(((0.25 + y * y).sqrt() - (8.0 - y)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_large_triangle_gets_an_equilateral_one_on_its_edge() {
+        let large = super::super::quality::by_size(THIN);
+        let height = |size| at_size(THIN, large, size)[1];
+        assert!((height(1.0) - 0.75_f64.sqrt()).abs() < 1e-12, "{}", height(1.0));
+        assert!((height(0.1) - 0.5).abs() < 1e-12, "no lower than a right angle");
+        assert_eq!(height(100.0), height(1000.0), "no higher than the circumcenter");
     }
 
     #[test]

@@ -32,6 +32,21 @@ help: `--repair` splits them there; `meshwright draw site.poly -o site.svg` show
 }
 
 #[test]
+fn an_obj_file_that_was_cut_off_names_its_last_line() {
+    let cut = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nl 1 2 3\nl 3 4";
+    let bench = Bench::with("cut-off", "site.obj", cut);
+    assert_eq!(
+        bench.fails("mesh site.obj -o site.msh", 1),
+        "\
+error: the outline encloses nothing: points 1 and 4 are open ends, 4 apart
+  site.obj:1: 1 0 0
+  site.obj:4: 4 0 4
+help: line 6 is the last: is the file whole? `--region hull` meshes the convex hull of the points
+"
+    );
+}
+
+#[test]
 fn wrong_values_are_refused_with_the_reason() {
     let bench = Bench::with("usage", "square.poly", SQUARE);
     for (arguments, reason) in [

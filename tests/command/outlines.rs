@@ -75,6 +75,29 @@ fn what_is_meshed_otherwise_after_a_conversion_is_a_warning() {
     assert!(ran.stderr.contains(said), "{}", ran.stderr);
 }
 
+/// A plate whose top is in two groups and whose corner is in one.
+const PLATE: &str = "\
+Point(1) = {0, 0, 0, 2}; Point(2) = {1, 0, 0, 2}; Point(3) = {1, 1, 0, 2}; Point(4) = {0, 1, 0, 2};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Physical Curve(\"rim\", 5) = {1, 2, 3}; Physical Curve(\"top\", 6) = {3};
+Physical Point(\"corner\", 9) = {1}; Physical Surface(\"plate\", 7) = {1};
+";
+
+#[test]
+fn a_poly_file_of_a_geo_script_has_its_numbers_and_says_what_it_cannot_hold() {
+    let bench = Bench::with("geo", "plate.geo", PLATE);
+    let ran = bench.succeeds("convert plate.geo plate.poly");
+    assert_eq!(
+        bench.read("plate.poly"),
+        "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 5\n2 2 3 5\n3 3 4 5\n4 4 1 0\n0\n\
+         1\n1 0.5 0.5 7 -1\n"
+    );
+    for said in ["`rim` (5), `top` (6)", "`plate` (7)", "target sizes", "`corner`", "1 further"] {
+        assert!(ran.stderr.contains(said), "{said}: {}", ran.stderr);
+    }
+}
+
 #[test]
 fn outlines_of_faces_are_taken_where_that_is_asked() {
     let faces = "v 0 0\nv 1 0\nv 1 1\nv 0 1\nf 1 2 3\nf 1 3 4\n";

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 
 use super::groups::stated;
-use crate::groups::{FreshTags, Note, Rules, stated_name, writable};
+use crate::groups::{FreshTags, Note, Rules, further_groups, stated_name, writable};
 use crate::pslg::{Pslg, Tag};
 use crate::rows::{Rows, one_based};
 
@@ -181,5 +181,6 @@ fn not_held(outline: &Pslg) -> Vec<Note> {
     if !outline.point_sizes.is_empty() {
         notes.push(Note::SizesDropped);
     }
+    notes.extend(further_groups(outline));
     notes
 }

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::whole;
-use crate::groups::{Note, numbers_only};
+use crate::groups::{Note, further_groups, numbers_only};
 use crate::mesh::Mesh;
 use crate::node::Columns;
 use crate::pslg::{Pslg, Region};
@@ -98,6 +98,7 @@ pub fn write_outline(outline: &Pslg, out: &mut impl Write) -> io::Result<Vec<Not
         let (count, noun) = (outline.local_areas.len(), "local area bound");
         notes.push(Note::NotHeld { count, noun });
     }
+    notes.extend(further_groups(outline));
     let mut rows = Rows::new(out);
     Columns::of_outline(outline, &mut notes).write(&mut rows)?;
     let tag = |segment| outline.segment_tags.get(segment).copied().unwrap_or(0);

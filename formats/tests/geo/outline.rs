@@ -73,6 +73,18 @@ fn embedded_curves_and_points_are_kept() {
 }
 
 #[test]
+fn embedded_curves_that_close_leave_no_hole() {
+    let script = ring(10, 0.0, 9.0) + &ring(20, 3.0, 6.0);
+    let pslg = read(&format!(
+        "{script}Plane Surface(7) = {{10}}; Curve{{20, 21, 22, 23}} In Surface{{7}};"
+    ));
+    let inside = |seed: [f64; 2]| seed.iter().all(|c| (3.0..6.0).contains(c));
+    let mut regions: Vec<_> = pslg.regions.iter().map(|r| (inside(r.seed), r.tag)).collect();
+    regions.sort_unstable();
+    assert_eq!(regions, [(false, 7), (true, 7)]);
+}
+
+#[test]
 fn a_curve_given_twice_is_a_slit() {
     let pslg = read(&format!(
         "{SQUARE}Delete {{ Surface{{1}}; }}\nPoint(5) = {{0.5, 0.5, 0, 0.5}}; Line(5) = {{1, 5}};\n\

@@ -46,6 +46,8 @@ pub struct Case {
     pub names: Vec<String>,
     /// The groups that the mesh must have: dimension, number, name (empty for none).
     pub groups: Vec<(u8, Tag, String)>,
+    /// How many triangles Gmsh makes of the same sizes, where the two can be compared.
+    pub triangles_of_gmsh: Option<usize>,
     /// What a warning or an error must name.
     pub named: Named,
     /// Why what is expected here is not what the collection says; `None`: it is.
@@ -204,9 +206,20 @@ fn script(name: &str, case: &Value) -> Case {
         boundaries: None,
         names: Vec::new(),
         groups,
+        triangles_of_gmsh: triangles_of_gmsh(case),
         named: Named { any_line: is_refused, ..Named::default() },
         differs,
     }
+}
+
+/// What Gmsh makes of a script whose sizes are those of its points: without size fields, structured
+/// parts, or quadrangles.
+fn triangles_of_gmsh(case: &Value) -> Option<usize> {
+    let features = case["features"].as_array().into_iter().flatten().filter_map(Value::as_str);
+    let other = ["Field", "Recombine", "Transfinite Surface"];
+    let compares = !features.into_iter().any(|name| other.iter().any(|word| name.contains(word)));
+    let count = case["triangles_gmsh"].as_u64().filter(|&count| compares && count > 0)?;
+    usize::try_from(count).ok()
 }
 
 /// A nasty file with a circle, which is cut to chords.
@@ -272,6 +285,7 @@ fn answer(row: &str) -> Vec<Case> {
         boundaries,
         names: Vec::new(),
         groups: Vec::new(),
+        triangles_of_gmsh: None,
         named,
         differs: None,
     };
@@ -366,6 +380,7 @@ fn expectation(name: &str, case: &Value) -> Vec<Case> {
         } else {
             Vec::new()
         },
+        triangles_of_gmsh: None,
         named: Named { places, any_line: false, only_if_refused: case["expect"] == "ok|error" },
         differs: (name == CUT_CIRCLE).then_some("the area is that of chords, within 1 %"),
     };

@@ -49,15 +49,18 @@ impl<'a> Measured<'a> {
         Ok((total + 0.99) as u32).map(|pieces| pieces.max(self.path.least_pieces()))
     }
 
-    /// The chain of so many pieces, spread as the sizes ask.
-    pub(super) fn by_sizes(&self, pieces: u32, sizes: &dyn Along) -> Chain {
+    /// The chain of so many pieces, spread as the sizes ask, and the sizes at its two ends. All
+    /// sizes are what pieces would be as long as if there were `asked` of them.
+    pub(super) fn by_sizes(&self, pieces: u32, asked: u32, sizes: &dyn Along) -> (Chain, [f64; 2]) {
         let density = self.density(sizes);
         let total = density.last().copied().unwrap_or_default();
         let parameters =
             (1..pieces).map(|i| self.parameter(&density, total * f64::from(i) / f64::from(pieces)));
         let parameters: Vec<f64> = parameters.collect();
         let inner = parameters.iter().map(|&t| self.path.at(t)).collect();
-        Chain { inner, sizes: parameters.iter().map(|&t| sizes.size(t)).collect() }
+        let step = |t: f64| sizes.size(t) * (total / f64::from(asked)).min(1.0);
+        let chain = Chain { inner, sizes: parameters.iter().map(|&t| step(t)).collect() };
+        (chain, [step(0.0), step(1.0)])
     }
 
     /// The chain through so many points by a law; each one's size is the mean of the pieces

@@ -8,11 +8,11 @@ use super::plane::{Asked, Plane};
 use super::sizes::Sizes;
 use crate::geo::error::Problem;
 use crate::geo::evaluate::Options;
-use crate::geo::model::{Model, unknown};
+use crate::geo::model::{Model, Surface, unknown};
 use crate::geo::sources::{Answer, Sources};
 
 /// Chords may take no more than this part of a surface's area away.
-const LOST_AREA: f64 = 0.005;
+const LOST_AREA: f64 = 0.009;
 
 /// How often curves are made finer for that.
 const ROUNDS: usize = 4;
@@ -142,7 +142,8 @@ struct Divided<'a> {
     model: &'a Model,
     sizes: Sizes<'a>,
     chains: BTreeMap<i32, Chain>,
-    /// The sizes that a curve asks for at its ends.
+    /// The lengths that the first and the last piece of a curve should have; none of a straight one
+    /// without points of its own.
     at_ends: BTreeMap<i32, [f64; 2]>,
 }
 
@@ -150,10 +151,11 @@ impl<'a> Divider<'a> {
     /// As the sizes ask; then finer where chords would cut too much area off a surface.
     fn divide(self) -> Answer<Divided<'a>> {
         let (mut chains, mut at_ends) = (BTreeMap::new(), BTreeMap::new());
-        let mut pieces = self.pieces()?;
+        let asked = self.pieces()?;
+        let mut pieces = asked.clone();
         for _ in 0..ROUNDS {
             for (&tag, &count) in &pieces {
-                let (chain, ends) = self.chain(tag, count);
+                let (chain, ends) = self.chain(tag, count, asked[&tag]);
                 chains.insert(tag, chain);
                 at_ends.extend(ends.map(|ends| (tag, ends)));
             }
@@ -190,8 +192,9 @@ impl<'a> Divider<'a> {
         (f64::from(count) * factor).ceil() as u32
     }
 
-    /// A curve in so many pieces, and the sizes at its ends where those are the curve's own.
-    fn chain(&self, tag: i32, count: u32) -> (Chain, Option<[f64; 2]>) {
+    /// A curve in so many pieces, of which `asked` would do for its sizes, and the sizes at its
+    /// ends where those are the curve's own.
+    fn chain(&self, tag: i32, count: u32, asked: u32) -> (Chain, Option<[f64; 2]>) {
         let path = &self.paths[&tag];
         match self.model.curves[&tag].spread {
             Some(spread) => {
@@ -199,7 +202,10 @@ impl<'a> Divider<'a> {
                 (chain, Some(ends))
             }
             None if path.is_straight() => (self.corners(tag, path), None),
-            None => (Measured::new(path).by_sizes(count, &*self.along(tag)), None),
+            None => {
+                let (chain, ends) = Measured::new(path).by_sizes(count, asked, &*self.along(tag));
+                (chain, Some(ends))
+            }
         }
     }
 
@@ -245,13 +251,24 @@ impl<'a> Divider<'a> {
         let mut factors = BTreeMap::new();
         for surface in self.model.surfaces.values() {
             let gone: f64 = surface.curves().filter_map(|curve| lost.get(&curve.abs())).sum();
-            let allowed = LOST_AREA * self.area(surface.curves());
+            if gone <= 0.0 {
+                continue;
+            }
+            let allowed = LOST_AREA * self.area(surface);
             if gone <= allowed || allowed <= 0.0 {
                 continue;
             }
+            // Curves that lose no more than an even share stay as they are.
+            let curves: BTreeSet<i32> =
+                surface.curves().map(i32::abs).filter(|curve| lost.contains_key(curve)).collect();
+            let share = allowed / curves.len() as f64;
+            let (few, many): (Vec<i32>, Vec<i32>) =
+                curves.into_iter().partition(|curve| lost[curve] <= share);
+            let gone_by = |curves: &[i32]| curves.iter().map(|curve| lost[curve]).sum::<f64>();
             // What chords cut off goes with the square of their length.
-            let factor = (gone / allowed).sqrt().min(100.0);
-            for curve in surface.curves().map(i32::abs).filter(|curve| lost.contains_key(curve)) {
+            let left = (allowed - gone_by(&few)).max(share);
+            let factor = (gone_by(&many) / left).sqrt().min(100.0);
+            for curve in many {
                 let known = factors.entry(curve).or_insert(factor);
                 *known = known.max(factor);
             }
@@ -259,17 +276,25 @@ impl<'a> Divider<'a> {
         factors
     }
 
-    /// The area of a surface, by its curves as they turn; good enough to compare with.
-    fn area(&self, curves: impl Iterator<Item = i32>) -> f64 {
+    /// The area of a surface: its largest loop without the others; good enough to compare with.
+    fn area(&self, surface: &Surface) -> f64 {
+        let areas: Vec<f64> =
+            surface.loops.iter().map(|(_, curves)| self.area_in(curves).abs()).collect();
+        let (largest, sum) = (areas.iter().copied().fold(0.0, f64::max), areas.iter().sum::<f64>());
+        if 2.0 * largest > sum { 2.0 * largest - sum } else { largest }
+    }
+
+    /// The area within a loop, by its curves as they turn.
+    fn area_in(&self, curves: &[i32]) -> f64 {
         let mut doubled = 0.0;
         for tag in curves {
             let path = &self.paths[&tag.abs()];
             let (a, b) = (path.at(0.0), path.at(1.0));
             let chord = a[0] * b[1] - a[1] * b[0];
             let own = chord + Measured::new(path).doubled_area();
-            doubled += if tag < 0 { -own } else { own };
+            doubled += if *tag < 0 { -own } else { own };
         }
-        0.5 * doubled.abs()
+        0.5 * doubled
     }
 }
 
@@ -289,14 +314,24 @@ impl Divided<'_> {
             }
         }
         let own = |tag: i32| self.sizes.at_point(given(tag), alone.contains(&tag));
-        for &tag in self.chains.keys() {
-            let ends = self.model.curves[&tag].ends();
-            let by_law = self.at_ends.get(&tag);
-            for (i, &point) in ends.iter().enumerate() {
-                let size = by_law.map_or_else(|| own(point), |sizes| sizes[i]);
-                let (sum, count) = asked.entry(point).or_default();
-                *sum += size;
-                *count += 1;
+        // A straight curve is yet to be divided: by what is given at its ends.
+        let is_straight = |tag: &i32| !self.at_ends.contains_key(tag);
+        let ends_of = |tag: &i32| self.model.curves[tag].ends();
+        let straight: BTreeSet<i32> =
+            self.chains.keys().filter(|tag| is_straight(tag)).flat_map(ends_of).collect();
+        for tag in self.chains.keys() {
+            let counts = |point: &i32| {
+                is_straight(tag)
+                    || self.model.curves[tag].spread.is_some()
+                    || !straight.contains(point)
+            };
+            for (i, point) in ends_of(tag).into_iter().enumerate() {
+                if counts(&point) {
+                    let size = self.at_ends.get(tag).map_or_else(|| own(point), |sizes| sizes[i]);
+                    let (sum, count) = asked.entry(point).or_default();
+                    *sum += size;
+                    *count += 1;
+                }
             }
         }
         let size = |tag: i32| match asked.get(&tag) {

@@ -3,6 +3,7 @@
 mod chain;
 mod contours;
 mod curves;
+mod faces;
 mod groups;
 mod overlaps;
 mod path;

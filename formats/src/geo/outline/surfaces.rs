@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::contours::{Contour, Polygon, contours};
 use super::curves::Linework;
+use super::faces;
 use super::groups::Grouping;
 use super::overlaps::{Area, overlap};
 use super::seeds::{Stretch, stretches};
@@ -23,7 +24,7 @@ struct Parts {
     parts: Vec<(usize, Vec<usize>)>,
 }
 
-/// A region for each part of each surface, and the place of the surface's statement.
+/// A region for each face of each surface, and the place of the surface's statement.
 ///
 /// # Errors
 /// A surface whose boundary is open, that encloses nothing, or that overlaps another.
@@ -61,9 +62,16 @@ pub(super) fn regions(
                 return Err(Problem::Empty { surface: parts.tag }.at(parts.place));
             };
             let tag = grouping.surface(parts.tag);
-            let region =
-                Region { seed: best.at(0.5), tag, attribute: f64::from(tag), max_area: None };
-            found.push((region, parts.place));
+            let divided = if walls.is_empty() {
+                Vec::new()
+            } else {
+                faces::seeds(&polygons, &walls, &points)
+            };
+            let seeds = if divided.is_empty() { vec![best.at(0.5)] } else { divided };
+            found.extend(seeds.into_iter().map(|seed| {
+                let region = Region { seed, tag, attribute: f64::from(tag), max_area: None };
+                (region, parts.place)
+            }));
             areas.push(Area { polygons, stretches });
             owners.push(parts);
         }
@@ -158,7 +166,7 @@ fn holders(polygons: &[Polygon]) -> Vec<Vec<usize>> {
 
 /// Whether a polygon encloses another one that it does not cross: by a corner of that one which
 /// is not on it, or by the middle of a side.
-fn encloses(outer: &Polygon, inner: &Polygon) -> bool {
+pub(super) fn encloses(outer: &Polygon, inner: &Polygon) -> bool {
     if outer.area <= inner.area {
         return false;
     }

@@ -62,7 +62,7 @@ fn main() -> io::Result<ExitCode> {
         scratch,
         limit: Duration::from_secs_f64(arguments.limit),
     };
-    let (mut wrong, mut broken) = (0, Ok(()));
+    let (mut wrong, mut broken, mut triangles) = (0, Ok(()), Tally::default());
     println!("{:<56} {:<18} {:<18} {:>8} {:>8}", "file", "expected", "got", "points", "seconds");
     in_order(
         cases.len(),
@@ -71,6 +71,7 @@ fn main() -> io::Result<ExitCode> {
         |i, row| match row {
             Ok(row) => {
                 row.print(&cases[i]);
+                triangles.add(&row, &cases[i]);
                 wrong += usize::from(!row.complaints.is_empty());
             }
             Err(error) => broken = Err(error),
@@ -85,18 +86,66 @@ fn main() -> io::Result<ExitCode> {
         cases.len(),
         cases.len() - differ - wrong
     );
-    Ok(if wrong == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    println!("{triangles}");
+    let good = wrong == 0 && triangles.is_good();
+    Ok(if good { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// How many meshes have about as many triangles as Gmsh's.
+#[derive(Default)]
+struct Tally {
+    near: usize,
+    meshed: usize,
+    refused: usize,
+}
+
+impl Tally {
+    /// A count within 30 % is near.
+    const NEAR: std::ops::RangeInclusive<f64> = 0.7..=1.3;
+
+    fn add(&mut self, row: &Row, case: &Case) {
+        match case.triangles_of_gmsh.map(|gmsh| row.ratio(gmsh)) {
+            Some(Some(ratio)) => {
+                self.meshed += 1;
+                self.near += usize::from(Self::NEAR.contains(&ratio));
+            }
+            Some(None) => self.refused += 1,
+            None => {}
+        }
+    }
+
+    /// Nine of ten meshes are near.
+    fn is_good(&self) -> bool {
+        10 * self.near >= 9 * self.meshed
+    }
+}
+
+impl std::fmt::Display for Tally {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { near, meshed, refused } = self;
+        write!(
+            f,
+            "{near} of the {meshed} meshes of scripts with sizes at points have as many triangles as \
+             Gmsh's, within 30 %; {refused} of these scripts are refused"
+        )
+    }
 }
 
 /// A line of the table.
 struct Row {
     got: String,
     points: Option<usize>,
+    triangles: Option<usize>,
     time: Duration,
     complaints: Vec<String>,
 }
 
 impl Row {
+    /// Our triangles by Gmsh's.
+    fn ratio(&self, of_gmsh: usize) -> Option<f64> {
+        self.triangles.map(|ours| ours as f64 / of_gmsh as f64)
+    }
+
     fn print(&self, case: &Case) {
         let expected: Vec<_> = case.allowed.iter().map(|ending| word(*ending)).collect();
         let points = self.points.map_or_else(|| "-".to_owned(), |points| points.to_string());
@@ -109,6 +158,12 @@ impl Row {
         );
         if let Some(why) = case.differs {
             println!("    not as the collection says: {why}");
+        }
+        let far = |&ratio: &f64| !Tally::NEAR.contains(&ratio);
+        if let Some(gmsh) = case.triangles_of_gmsh
+            && let Some(ratio) = self.ratio(gmsh).filter(far)
+        {
+            println!("    {ratio:.2} times as many triangles as the {gmsh} that Gmsh makes");
         }
         for complaint in &self.complaints {
             println!("    WRONG: {}", complaint.trim_end().replace('\n', "\n    "));
@@ -149,7 +204,7 @@ impl Runner {
         let mesh = [Path::new("mesh"), &input, Path::new("-o"), &output];
         let done = self.call(&[&mesh[..], &options].concat())?;
         let mut complaints = Vec::new();
-        let (mut points, mut area) = (None, None);
+        let (mut points, mut triangles, mut area) = (None, None, None);
         let ending = match done.code {
             Some(0) => Some(if names_a_warning(&done.talk) {
                 Ending::MeshesWithWarning
@@ -164,6 +219,7 @@ impl Runner {
             match msh::read(&fs::read(&output)?, "output") {
                 Ok((mesh, _)) => {
                     points = Some(mesh.points.len());
+                    triangles = Some(mesh.triangles.len());
                     area = Some(meshwright_campaigns::measure::area(&mesh));
                     complaints.extend(case.complaints_of_names(&mesh));
                 }
@@ -192,7 +248,7 @@ impl Runner {
             complaints.push(format!("it said:\n{}", done.talk));
         }
         let got = ending.map_or_else(|| format!("exit {:?}", done.code), |e| word(e).to_owned());
-        Ok(Row { got, points, time: done.time, complaints })
+        Ok(Row { got, points, triangles, time: done.time, complaints })
     }
 
     /// Runs the command; it is ended after three times the limit.
