@@ -89,7 +89,7 @@ fn a_poly_file_of_a_geo_script_has_its_numbers_and_says_what_it_cannot_hold() {
     let bench = Bench::with("geo", "plate.geo", PLATE);
     let ran = bench.succeeds("convert plate.geo plate.poly");
     assert_eq!(
-        bench.read("plate.poly"),
+        String::from_utf8(bench.read("plate.poly")).expect("a text"),
         "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 5\n2 2 3 5\n3 3 4 5\n4 4 1 0\n0\n\
          1\n1 0.5 0.5 7 -1\n"
     );
