@@ -52,6 +52,7 @@ mod hilbert;
 mod outline_of;
 mod parameters;
 pub mod predicates;
+mod random;
 pub mod refine;
 mod run;
 mod seeds;
@@ -61,7 +62,7 @@ mod vector;
 
 pub use outline_of::{OutlineOfError, boundary_of, outline_of};
 pub use parameters::{
-    Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner,
+    Excuse, MinAngle, MinAngleError, Parameters, Region, Rule, Splitting, Steiner, Thinning,
 };
 pub use run::{Error, InputAngle, Missed, Outcome, Warning, mesh, mesh_with, trace};
 pub use seeds::{SeedsError, meshed_alike, told_by_seeds};

@@ -36,6 +36,8 @@ pub struct Parameters {
     /// Whether the mesh is judged before it is handed out. Judging takes about as long as meshing;
     /// [`certify`](crate::certify::certify) can do it later.
     pub judged: bool,
+    /// How often, at the end, a few Steiner points are taken out for fewer ones.
+    pub thinning: Thinning,
 }
 
 impl Parameters {
@@ -68,6 +70,7 @@ impl Default for Parameters {
             region: Region::default(),
             incremental: false,
             judged: true,
+            thinning: Thinning::default(),
         }
     }
 }
@@ -192,6 +195,20 @@ pub enum Steiner {
     /// bad triangles; the off-center where none obeys. Fewer points, for two to three times the
     /// work.
     LookAhead,
+}
+
+/// How often a finished mesh is tried to be made smaller ([`refine::thin`]).
+///
+/// [`refine::thin`]: mod@crate::refine::thin
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Thinning {
+    /// Never.
+    #[default]
+    None,
+    /// So many times.
+    Tries(u64),
+    /// Twenty times for each Steiner point.
+    Auto,
 }
 
 /// Which small angles are attacked.

@@ -14,10 +14,11 @@ use crate::refine::incremental::Introduction;
 use crate::refine::segments::Segments;
 use crate::refine::sizes::Sizes;
 use crate::refine::sizing::Sizing;
+use crate::refine::thin::{Thinned, thin};
 use crate::refine::trace::{Event, Listener, Names};
 use crate::refine::{End, Progress, Refinement, refine};
 use crate::triangulation::initial::{self, triangulate};
-use crate::{Mesh, Parameters, Pslg, Region};
+use crate::{Mesh, Parameters, Pslg, Region, Thinning};
 
 /// What a run makes.
 #[derive(Debug, Clone)]
@@ -48,6 +49,8 @@ pub struct Outcome {
     /// With [`Parameters::incremental`]: points and segments in the order in which they were
     /// introduced, by the outline's indices.
     pub introduced: Vec<Introduction>,
+    /// With [`Parameters::thinning`]: what it did; `None` too where the run ended early.
+    pub thinned: Option<Thinned>,
 }
 
 /// An angle that misses the soft target.
@@ -93,6 +96,9 @@ pub enum Error {
     /// The kernel cannot hold the outline.
     #[error(transparent)]
     Triangulation(#[from] initial::Error),
+    /// A trace tells the refinement: a mesh that is thinned afterwards would be another one.
+    #[error("a trace tells the refinement alone: no thinning may be asked for with it")]
+    TraceOfThinning,
     /// The progress callback asked to stop.
     #[error("cancelled")]
     Cancelled,
@@ -136,7 +142,8 @@ pub fn mesh(pslg: &Pslg, parameters: &Parameters) -> Result<Outcome, Error> {
     mesh_with(pslg, parameters, &mut |_| ControlFlow::Continue(()))
 }
 
-/// [`mesh`], telling its progress now and then; the callback may stop it.
+/// [`mesh`], telling its progress now and then; the callback may stop it. Thinning that is stopped
+/// leaves a whole mesh: [`Thinned::stopped`] tells so.
 ///
 /// # Errors
 /// See [`Error`].
@@ -177,6 +184,9 @@ pub fn trace(
     parameters: &Parameters,
     hear: &mut dyn FnMut(&Event),
 ) -> Result<Outcome, Error> {
+    if parameters.thinning != Thinning::None {
+        return Err(Error::TraceOfThinning);
+    }
     run(pslg, parameters, &mut |_| ControlFlow::Continue(()), Some(hear))
 }
 
@@ -208,6 +218,7 @@ fn run(
     if end == End::Cancelled {
         return Err(Error::Cancelled);
     }
+    let thinned = if end == End::Finished { thin(&mut refinement, progress) } else { None };
     let input = |&v: &u32| domain.input_points[domain_points[v as usize] as usize];
     let refused_at = refinement.stalled_at().iter().map(input).collect();
     if domain.region == Region::Global {
@@ -222,6 +233,7 @@ fn run(
             .collect(),
         refused_at,
         counters: Counters { exact, ..refinement.counters },
+        thinned,
         introduced: introductions.map(|&it| names.introduction(it)).collect(),
         certificate: judge(pslg, &mesh, parameters),
         mesh,

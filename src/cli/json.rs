@@ -9,8 +9,9 @@ use meshwright::formats::Pslg;
 use meshwright::refine::End;
 use meshwright::refine::counters::Counters;
 use meshwright::refine::incremental::{self, Introduction};
+use meshwright::refine::thin::Thinned;
 use meshwright::statistics::{GroupCount, Statistics};
-use meshwright::{MinAngle, Missed, Outcome, Parameters};
+use meshwright::{MinAngle, Missed, Outcome, Parameters, Thinning};
 use serde_json::{Map, Value, json};
 
 use super::failure::Exit;
@@ -84,6 +85,7 @@ pub fn mesh_run(report: &MeshReport) -> Vec<u8> {
         ("refused", json!(outcome.refused)),
         ("counters", counters(&outcome.counters)),
         ("missed", outcome.missed.iter().map(missed).collect()),
+        ("thinned", thinned(outcome.thinned)),
         ("introduced", outcome.introduced.iter().map(|it| introduction(it, pslg)).collect()),
         ("warnings", json!(report.warnings)),
         ("outputs", report.written.iter().map(output).collect()),
@@ -178,6 +180,13 @@ fn missed(missed: &Missed) -> Value {
     json!({ "triangle": missed.triangle, "angle": missed.radians.to_degrees() })
 }
 
+/// What thinning did; null where none was asked for.
+fn thinned(thinned: Option<Thinned>) -> Value {
+    json!(thinned.map(|Thinned { tries, kept, saved, stopped }| {
+        json!({ "tries": tries, "kept": kept, "saved": saved, "stopped": stopped })
+    }))
+}
+
 /// How an outline was read.
 fn reading(options: ReadOptions) -> Value {
     json!({
@@ -198,6 +207,11 @@ pub fn parameters(parameters: &Parameters) -> Value {
         "steiner": word(&STEINERS, &parameters.steiner),
         "rule": word(&RULES, &parameters.rule),
         "incremental": parameters.incremental,
+        "thin": match parameters.thinning {
+            Thinning::None => json!(0),
+            Thinning::Tries(tries) => json!(tries),
+            Thinning::Auto => json!("auto"),
+        },
     });
     if let (Value::Object(object), Value::Object(more)) = (&mut object, more) {
         object.extend(more);

@@ -302,6 +302,10 @@ fn verdict(
     if !outcome.certificate.holds() {
         return Err(Failure::promise("the mesh does not keep what was promised"));
     }
+    if outcome.thinned.is_some_and(|thinned| thinned.stopped) {
+        let message = "thinning was interrupted: the mesh is complete, with the points it had then";
+        return Err(Failure { exit: Exit::Interrupted, message: message.to_string() });
+    }
     match voice.warnings().len() {
         0 => Ok(Exit::Done),
         n if strict => {

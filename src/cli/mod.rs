@@ -9,6 +9,7 @@ mod failure;
 mod format;
 mod info;
 mod input;
+mod interrupt;
 mod json;
 mod mesh;
 mod notes;
@@ -86,7 +87,7 @@ pub fn run() -> Exit {
             return if error.use_stderr() { Exit::Usage } else { Exit::Done };
         }
     };
-    output::remove_half_written_on_interrupt();
+    interrupt::handle();
     let voice = Voice::new(arguments.quiet, arguments.verbose);
     match run_command(&arguments.command, &voice) {
         Ok(exit) => exit,

@@ -5,7 +5,7 @@
 //! removed on every way out, an interrupt included.
 
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, IsTerminal, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
@@ -17,20 +17,14 @@ pub const STDOUT: &str = "-";
 /// Files that are being written, to be removed if the process is interrupted.
 static HALF_WRITTEN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Lets an interrupt remove what is half-written and end the process with its own exit code.
-pub fn remove_half_written_on_interrupt() {
-    // Where no handler can be set the process is interrupted as any other is.
-    let _ = ctrlc::set_handler(|| {
-        // A lock that is held during a rename is waited for; one that a panic left is taken.
-        let files = HALF_WRITTEN.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-        for file in files.iter() {
-            let _ = fs::remove_file(file);
-        }
-        if io::stderr().is_terminal() {
-            let _ = write!(io::stderr(), "\r\x1b[2K"); // the line that moves
-        }
-        std::process::exit(Exit::Interrupted as i32);
-    });
+/// Removes what is half-written and ends the process, while no file is put in its place.
+pub fn remove_half_written_and_exit(exit: Exit) -> ! {
+    // A lock that is held during a rename is waited for; one that a panic left is taken.
+    let files = HALF_WRITTEN.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    for file in files.iter() {
+        let _ = fs::remove_file(file);
+    }
+    std::process::exit(exit as i32)
 }
 
 /// Refuses outputs that would overwrite an input or each other, or whose folder is missing, so

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use meshwright::refine::Progress;
 
+use super::interrupt;
 use super::voice::Voice;
 
 /// Runs shorter than this show nothing.
@@ -31,24 +32,36 @@ impl ProgressLine {
         Self { bar, start: Instant::now() }
     }
 
-    /// Shows how far the run has come. The run goes on.
+    /// Shows how far the run has come. It goes on, unless an interrupt asks it to stop.
     pub fn show(&self, progress: Progress) -> ControlFlow<()> {
         let elapsed = self.start.elapsed();
         if elapsed >= SHORT && !self.bar.is_hidden() {
             let rate = progress.triangles as f64 / elapsed.as_secs_f64();
-            self.bar.set_message(format!(
-                "refining {} triangles, {} left to judge, {}/s",
-                short(progress.triangles as f64),
-                short(progress.waiting as f64),
-                short(rate)
-            ));
+            self.bar.set_message(match progress.thinning {
+                None => format!(
+                    "refining {} triangles, {} left to judge, {}/s",
+                    short(progress.triangles as f64),
+                    short(progress.waiting as f64),
+                    short(rate)
+                ),
+                Some(thinning) => format!(
+                    "thinning {} points, {} fewer, {} of {} tries",
+                    short(progress.points as f64),
+                    short(thinning.saved as f64),
+                    short(thinning.tries as f64),
+                    short(thinning.of as f64)
+                ),
+            });
             self.bar.tick();
         }
-        ControlFlow::Continue(())
+        // What is thinned is a whole mesh at any time.
+        interrupt::stops_when_asked(progress.thinning.is_some());
+        if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// Takes the line away and tells how long the run took.
     pub fn finish(self) -> Duration {
+        interrupt::stops_when_asked(false);
         self.bar.finish_and_clear();
         self.start.elapsed()
     }

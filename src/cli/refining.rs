@@ -1,7 +1,7 @@
 //! How the refinement goes: the options that `mesh` and `trace` share.
 
 use clap::Args;
-use meshwright::{Parameters, Rule, Splitting, Steiner};
+use meshwright::{Parameters, Rule, Splitting, Steiner, Thinning};
 
 use super::failure::Failure;
 use super::options::{PromiseOptions, positive};
@@ -34,6 +34,10 @@ pub struct RefineOptions {
     /// still to come.
     #[arg(long)]
     incremental: bool,
+    /// At the end take a few points out for fewer ones, so many times; auto: 20 times for each
+    /// point inside. What is promised stays.
+    #[arg(long, value_name = "N|auto", value_parser = thinning)]
+    thin: Option<Thinning>,
 }
 
 impl RefineOptions {
@@ -47,7 +51,20 @@ impl RefineOptions {
             steiner: self.steiner.unwrap_or(base.steiner),
             rule: self.rule.unwrap_or(base.rule),
             incremental: self.incremental,
+            thinning: self.thin.unwrap_or(base.thinning),
             ..base
         })
+    }
+}
+
+/// A number of tries, or `auto`.
+fn thinning(text: &str) -> Result<Thinning, String> {
+    match text {
+        "auto" => Ok(Thinning::Auto),
+        _ => match text.parse() {
+            Ok(0) => Ok(Thinning::None),
+            Ok(tries) => Ok(Thinning::Tries(tries)),
+            Err(_) => Err("a number of tries is wanted, or `auto`".to_string()),
+        },
     }
 }

@@ -6,6 +6,7 @@ use meshwright::certify::ExcusedAngle;
 use meshwright::formats::Pslg;
 use meshwright::refine::End;
 use meshwright::refine::counters::Counters;
+use meshwright::refine::thin::Thinned;
 use meshwright::statistics::{Statistics, smallest_angle_but};
 use meshwright::{MinAngle, Missed, Outcome};
 
@@ -51,6 +52,9 @@ impl<'a> Summary<'a> {
                 seconds(took)
             ),
         );
+        if let Some(thinned) = self.outcome.thinned {
+            say(voice, "thinned", &thinned_text(thinned));
+        }
         say(voice, "angles", &self.angles(voice.verbose));
         if voice.verbose {
             let excused = &self.outcome.certificate.excused;
@@ -213,6 +217,16 @@ pub fn excused_text(excused: &ExcusedAngle) -> String {
 fn missed_text(missed: &Missed) -> String {
     let number = u64::from(missed.triangle) + 1;
     format!("triangle {number}: {} misses the target", angle(missed.radians))
+}
+
+/// `67 points fewer after 20 000 tries, of which 9 120 were kept`
+fn thinned_text(Thinned { tries, kept, saved, .. }: Thinned) -> String {
+    format!(
+        "{} fewer after {}, of which {} were kept",
+        count(saved as usize, "point"),
+        if tries == 1 { "1 try".to_string() } else { format!("{} tries", grouped(tries)) },
+        grouped(kept)
+    )
 }
 
 /// `1 294 points, 1 294 segments, 16 holes`

@@ -4,6 +4,7 @@
 //! beside a known node need no comparison.
 
 use crate::predicates::{Side, side};
+use crate::random::Random;
 
 /// No node.
 pub const NONE: u32 = u32::MAX;
@@ -40,13 +41,20 @@ pub struct Status {
     free: Vec<u32>,
     root: u32,
     first: u32,
-    random: u64,
+    /// A fixed sequence of priorities.
+    random: Random,
 }
 
 impl Status {
     /// The empty status.
     pub fn new() -> Self {
-        Self { nodes: Vec::new(), free: Vec::new(), root: NONE, first: NONE, random: 0 }
+        Self {
+            nodes: Vec::new(),
+            free: Vec::new(),
+            root: NONE,
+            first: NONE,
+            random: Random::default(),
+        }
     }
 
     /// The segment of a node.
@@ -106,7 +114,7 @@ impl Status {
         } else {
             (next, 0)
         };
-        let priority = self.next_random();
+        let priority = self.random.bits();
         let fresh =
             Node { segment, ends, previous: below, next, parent, children: [NONE; 2], priority };
         let node = match self.free.pop() {
@@ -193,14 +201,5 @@ impl Status {
         }
         self.nodes[node as usize].children[1 - side] = parent;
         self.nodes[parent as usize].parent = node;
-    }
-
-    /// A fixed sequence (SplitMix64): the same input gives the same tree.
-    fn next_random(&mut self) -> u64 {
-        self.random = self.random.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.random;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
     }
 }

@@ -8,7 +8,7 @@
 use super::quality::{self, Trigger};
 use super::queue::Entry;
 use super::{Refinement, soft};
-use crate::constructions::beside_bisector;
+use crate::constructions::{beside_bisector, on_bisector};
 use crate::corners::{next, previous};
 
 /// Heights over the trigger edge, in its lengths; the circumcenter's comes on top. The last is the
@@ -63,16 +63,67 @@ struct Outlook {
     balance: isize,
 }
 
+/// What a Steiner point for the sake of a bad triangle must keep.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Demand {
+    /// The triangle.
+    slot: u32,
+    /// The ends of its trigger edge.
+    ends: [[f64; 2]; 2],
+    /// How high its circumcenter stands over that, in the edge's lengths.
+    circumcenter: f64,
+    radius: f64,
+    aim: Aim,
+    /// The least squared distance from every vertex.
+    nearest: f64,
+}
+
+impl Demand {
+    /// The place in the circumdisc that these coordinates of the unit disc stand for.
+    pub fn in_circumdisc(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [a, b] = self.ends;
+        let [cx, cy] = on_bisector(a, b, self.circumcenter);
+        [cx + self.radius * x, cy + self.radius * y]
+    }
+
+    /// The least squared distance from every vertex.
+    pub fn nearest(&self) -> f64 {
+        self.nearest
+    }
+
+    /// The places that look-ahead tries.
+    pub fn places(&self) -> impl Iterator<Item = [f64; 2]> + use<> {
+        let [a, b] = self.ends;
+        places(self.circumcenter, self.aim)
+            .map(move |[height, shift]| beside_bisector(a, b, height, shift))
+    }
+}
+
 impl Refinement<'_> {
     /// The best candidate for a bad triangle's Steiner point, if any keeps the rule.
     pub(super) fn look_ahead(&mut self, entry: Entry, trigger: Trigger) -> Option<[f64; 2]> {
         if trigger.only_size {
             return None;
         }
-        let corners = self.mesh.corners(entry.slot);
-        let [a, b] = [corners[next(trigger.edge)], corners[previous(trigger.edge)]];
-        let circumcenter = trigger.angle.dot / (2.0 * trigger.angle.cross);
-        let is_soft = !trigger.angle.is_below(self.parameters.min_angle);
+        let demand = self.demand(entry.slot, trigger);
+        let mut best: Option<(Outlook, [f64; 2])> = None;
+        for place in demand.places() {
+            let point = self.precision.round(place);
+            if !self.may_stand(point, &demand) {
+                continue;
+            }
+            let outlook = self.outlook();
+            if best.is_none_or(|(least, _)| outlook < least) {
+                best = Some((outlook, point));
+            }
+        }
+        best.map(|(_, point)| point)
+    }
+
+    /// What the Steiner point of a bad triangle must keep.
+    pub(super) fn demand(&self, slot: u32, trigger: Trigger) -> Demand {
+        let corners = self.mesh.corners(slot);
+        let is_soft = !trigger.only_size && !trigger.angle.is_below(self.parameters.min_angle);
         let aim = match self.parameters.soft_angle {
             _ if is_soft => Aim::Target,
             Some(_) => Aim::PromiseOnTheWay,
@@ -84,29 +135,23 @@ impl Refinement<'_> {
         } else {
             2.0 * trigger.squared
         };
-        let mut best: Option<(Outlook, [f64; 2])> = None;
-        for [height, shift] in places(circumcenter, aim) {
-            let point = self.precision.round(beside_bisector(a, b, height, shift));
-            if !self.may_stand(point, entry, nearest)
-                || (is_soft && !soft::may_stand(self.domain, point, radius))
-            {
-                continue;
-            }
-            let outlook = self.outlook();
-            if best.is_none_or(|(least, _)| outlook < least) {
-                best = Some((outlook, point));
-            }
+        Demand {
+            slot,
+            ends: [corners[next(trigger.edge)], corners[previous(trigger.edge)]],
+            circumcenter: trigger.angle.dot / (2.0 * trigger.angle.cross),
+            radius,
+            aim,
+            nearest: nearest.max(self.precision.floor * self.precision.floor),
         }
-        best.map(|(_, point)| point)
     }
 
     /// Whether a point keeps the rule; its cavity is found on the way.
-    fn may_stand(&mut self, point: [f64; 2], entry: Entry, nearest: f64) -> bool {
-        let nearest = nearest.max(self.precision.floor * self.precision.floor);
-        self.cavity.of_steiner_point(&self.mesh, point, entry.slot).is_ok()
-            && self.cavity.nearest_squared() >= nearest
+    pub(super) fn may_stand(&mut self, point: [f64; 2], demand: &Demand) -> bool {
+        self.cavity.of_steiner_point(&self.mesh, point, demand.slot).is_ok()
+            && self.cavity.nearest_squared() >= demand.nearest
             && self.cavity.encroached(&self.mesh).next().is_none()
             && self.cavity.expect_visible(&self.mesh).is_ok()
+            && (demand.aim != Aim::Target || soft::may_stand(self.domain, point, demand.radius))
     }
 
     /// What committing the point of the cavity would do. (Rounded: it only chooses.)

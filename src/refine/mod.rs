@@ -13,6 +13,7 @@
 //! | any further trigger (ours) | [`sizing`], [`local_areas`], [`sizes`], `division`, [`soft`] |
 //! | features one by one, §3 | [`incremental`] |
 //! | the Terminator, for comparison (§1) | [`terminator`] |
+//! | fewer points afterwards (ours) | [`thin`](mod@thin) |
 //! | what is done, step by step | [`trace`] |
 //!
 //! [`refine`] is the loop; [`Refinement`] is everything that it changes.
@@ -39,6 +40,7 @@ pub mod soft;
 mod stall;
 pub mod steiner;
 pub mod terminator;
+pub mod thin;
 pub mod trace;
 
 use std::collections::{BTreeSet, VecDeque};
@@ -56,6 +58,7 @@ use queue::{Entry, Order, Queue};
 use segments::Segments;
 use sizes::Sizes;
 use sizing::Sizing;
+use thin::Tried;
 use trace::{Cause, Listener, Proposer, Refusal};
 
 /// Bad triangles are taken tile by tile, this many triangles in the order of their slots: a tile
@@ -147,6 +150,8 @@ pub struct Progress {
     pub triangles: usize,
     /// Bad triangles that wait, some of them gone already.
     pub waiting: usize,
+    /// While a finished mesh is thinned: how far that has come.
+    pub thinning: Option<Tried>,
 }
 
 /// Why a run ended.
@@ -464,19 +469,20 @@ impl<'a> Refinement<'a> {
     /// Queues the bad ones of the triangles that were just made.
     fn queue_bad_of_star(&mut self) {
         for i in 0..self.cavity.boundary.len() {
-            let [a, b] = self.cavity.boundary[i].seen;
             let slot = self.cavity.star[i];
-            if self.mesh.is_outside_the_region(slot) {
-                continue;
-            }
-            let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
-            if quality::may_be_small(a, b, self.target())
-                || self.sizing.may_be_too_large(a, b, region)
-                || self.sizes.is_some()
-            {
+            if !self.mesh.is_outside_the_region(slot) && self.may_be_bad(i) {
                 self.queue_if_bad(slot);
             }
         }
+    }
+
+    /// A quick look at the triangle that the cavity's point makes, or has made, with a boundary
+    /// edge: whether it may be bad.
+    fn may_be_bad(&self, i: usize) -> bool {
+        let [a, b] = self.cavity.boundary[i].seen;
+        quality::may_be_small(a, b, self.target())
+            || self.sizing.may_be_too_large(a, b, self.cavity.region(i))
+            || self.sizes.is_some()
     }
 
     /// Ends the run where the next point would be one too many.
@@ -497,6 +503,7 @@ impl<'a> Refinement<'a> {
             points: self.mesh.points.len(),
             triangles: self.mesh.triangles.len(),
             waiting: self.queue.len(),
+            thinning: None,
         };
         match (watch.tell)(progress) {
             ControlFlow::Continue(()) => ControlFlow::Continue(()),

@@ -83,6 +83,24 @@ impl Provenances {
         vertex < self.inputs
     }
 
+    /// Whether the vertex is a Steiner point inside, on no segment.
+    #[inline]
+    #[must_use]
+    pub fn is_steiner_point(&self, vertex: u32) -> bool {
+        vertex >= self.inputs && self.places.get(vertex as usize) == Some(&0)
+    }
+
+    /// Forgets the Steiner points behind the first `vertices`.
+    pub(super) fn truncate(&mut self, vertices: usize) {
+        self.places.truncate(vertices);
+    }
+
+    /// Forgets Steiner points; those that stay keep their order.
+    pub(super) fn retain(&mut self, stays: impl Fn(u32) -> bool) {
+        let mut vertices = 0..;
+        self.places.retain(|_| vertices.next().is_some_and(&stays));
+    }
+
     /// The kind of a vertex.
     #[must_use]
     pub fn kind(&self, vertex: u32) -> Kind {

@@ -74,6 +74,26 @@ impl Sizes {
         libm::pow(mean, 1.0 / POWER) * largest
     }
 
+    /// The size at every vertex, and the slot of the background near it.
+    #[cfg(test)]
+    pub(super) fn of_all(&self) -> (&[f64], &[u32]) {
+        (&self.of_vertices, &self.slots)
+    }
+
+    /// Forgets the vertices behind the first `vertices`.
+    pub(super) fn truncate(&mut self, vertices: usize) {
+        self.of_vertices.truncate(vertices);
+        self.slots.truncate(vertices);
+    }
+
+    /// Forgets vertices that no triangle of the background has; those that stay keep their order.
+    pub(super) fn retain(&mut self, stays: impl Fn(u32) -> bool) {
+        let mut vertices = 0..;
+        self.of_vertices.retain(|_| vertices.next().is_some_and(&stays));
+        let mut vertices = 0..;
+        self.slots.retain(|_| vertices.next().is_some_and(&stays));
+    }
+
     fn mean_at<const N: usize>(&self, vertices: [u32; N]) -> f64 {
         mean(vertices.map(|v| (v, 1.0)), |v| self.at(v))
     }

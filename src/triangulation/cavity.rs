@@ -287,7 +287,9 @@ impl Cavity {
     }
 
     /// The region of the new triangle behind boundary edge `i`.
-    pub(super) fn region(&self, i: usize) -> u32 {
+    #[inline]
+    #[must_use]
+    pub fn region(&self, i: usize) -> u32 {
         self.regions[usize::from(self.second_side.is_some_and(|second| i >= second))]
     }
 }

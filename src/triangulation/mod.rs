@@ -8,9 +8,15 @@ pub mod cavity;
 mod constraints;
 pub mod initial;
 mod insertion;
+mod journal;
+mod removal;
+mod renumbering;
 mod subsegments;
 
 pub use cavity::{Cavity, Rejected};
+pub use journal::Journal;
+pub use removal::Star;
+pub use renumbering::Renumbering;
 use subsegments::Anchors;
 
 use crate::corners::{each, next, previous};
@@ -78,17 +84,25 @@ pub struct Triangle {
     pub neighbors: [Edge; 3],
 }
 
+impl Triangle {
+    /// What stands in a slot that no triangle has.
+    pub const VACANT: Self = Self { vertices: [u32::MAX; 3], neighbors: [Edge::OUTSIDE; 3] };
+}
+
 /// A constrained Delaunay triangulation of a region: each interior edge that is no subsegment is
 /// locally Delaunay, exactly.
 #[derive(Debug, Clone, Default)]
 pub struct Triangulation {
     /// Vertices; those of the domain come first, along a Hilbert curve.
     pub points: Vec<[f64; 2]>,
-    /// All triangles; there is no free slot.
+    /// All triangles; there is no free slot, but where points are taken out ([`Star`]) and until
+    /// [`Triangulation::renumber`].
     pub triangles: Vec<Triangle>,
     /// The region of each triangle (0: none); empty where there is no region.
     pub regions: Vec<u32>,
     anchors: Anchors,
+    /// Slots that no triangle has; the last one is taken first.
+    vacant: Vec<u32>,
 }
 
 /// The region of a triangle that is not meshed: it only takes part, until it is taken out.
@@ -98,7 +112,7 @@ impl Triangulation {
     /// A triangulation of `points` by triangles that are linked already.
     #[must_use]
     pub fn new(points: Vec<[f64; 2]>, triangles: Vec<Triangle>, regions: Vec<u32>) -> Self {
-        let mut made = Self { points, triangles, regions, anchors: Anchors::default() };
+        let mut made = Self { points, triangles, regions, ..Self::default() };
         made.anchors = Anchors::of(&made);
         made
     }
@@ -171,11 +185,11 @@ impl Triangulation {
         let born = cavity.boundary.len();
         let mut count = self.triangles.len() as u32;
         while cavity.star.len() < born {
-            cavity.star.push(count);
-            count += 1;
+            let slot = self.vacant.pop().unwrap_or(count);
+            cavity.star.push(slot);
+            count = count.max(slot + 1);
         }
-        let unused = Triangle { vertices: [0; 3], neighbors: [Edge::OUTSIDE; 3] };
-        self.triangles.resize(count as usize, unused);
+        self.triangles.resize(count as usize, Triangle::VACANT);
         if !self.regions.is_empty() {
             self.regions.resize(count as usize, 0);
         }

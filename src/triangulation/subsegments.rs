@@ -15,6 +15,14 @@ pub(super) struct Anchors {
     pinched_edges: Vec<([u32; 2], u32)>,
 }
 
+/// What the anchors say about one edge.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Anchored {
+    ends: [u32; 2],
+    slots: [u32; 2],
+    pinched: Option<(usize, u32)>,
+}
+
 impl Anchors {
     /// The anchors of a triangulation that was just made.
     pub fn of(triangulation: &Triangulation) -> Self {
@@ -52,15 +60,56 @@ impl Anchors {
         }
     }
 
+    /// Renews the anchors of the ends of a constrained edge that a new triangle has.
     #[inline]
-    fn set(&mut self, ends: [u32; 2], slot: u32) {
+    pub fn set(&mut self, ends: [u32; 2], slot: u32) {
         self.slots[ends[0] as usize] = slot;
         self.slots[ends[1] as usize] = slot;
-        if !self.pinched_edges.is_empty()
-            && let Ok(at) = self.pinched_edges.binary_search_by_key(&sorted(ends), |e| e.0)
-        {
+        if let Some(at) = self.pinched_edge(ends) {
             self.pinched_edges[at].1 = slot;
         }
+    }
+
+    /// Where an edge stands among those with two pinched ends.
+    #[inline]
+    fn pinched_edge(&self, ends: [u32; 2]) -> Option<usize> {
+        if self.pinched_edges.is_empty() {
+            return None;
+        }
+        self.pinched_edges.binary_search_by_key(&sorted(ends), |entry| entry.0).ok()
+    }
+
+    /// What [`Anchors::set`] would change for this edge, as it is now.
+    pub fn now(&self, ends: [u32; 2]) -> Anchored {
+        let place = self.pinched_edge(ends);
+        Anchored {
+            ends,
+            slots: ends.map(|v| self.slots[v as usize]),
+            pinched: place.map(|at| (at, self.pinched_edges[at].1)),
+        }
+    }
+
+    /// Takes a change back.
+    pub fn restore(&mut self, Anchored { ends, slots, pinched }: Anchored) {
+        self.slots[ends[0] as usize] = slots[0];
+        self.slots[ends[1] as usize] = slots[1];
+        if let Some((at, slot)) = pinched {
+            self.pinched_edges[at].1 = slot;
+        }
+    }
+
+    /// Forgets the vertices behind the first `count`, which are on no subsegment.
+    pub fn truncate(&mut self, count: usize) {
+        self.slots.truncate(count);
+    }
+
+    /// Renumbers slots, and vertices of which none that is pinched gets another number.
+    pub fn renumber(&mut self, stays: impl Fn(usize) -> bool, slot: impl Fn(u32) -> u32) {
+        let mut vertices = 0..;
+        self.slots.retain(|_| vertices.next().is_some_and(&stays));
+        let used = self.slots.iter_mut().filter(|anchor| **anchor != u32::MAX);
+        used.chain(self.pinched_edges.iter_mut().map(|(_, anchor)| anchor))
+            .for_each(|anchor| *anchor = slot(*anchor));
     }
 
     #[inline]

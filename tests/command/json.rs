@@ -40,6 +40,26 @@ fn a_run_that_breaks_its_promise_reports_it() {
 }
 
 #[test]
+fn thinning_is_reported_as_the_schema_says() {
+    let bench = Bench::with("json-thin", "square.poly", SQUARE);
+    let run = |thin: &str| {
+        report(&bench.succeeds(&format!("mesh square.poly --max-area 0.01 --json {thin}")))
+    };
+    let (none, some, auto) = (run("--thin 0"), run("--thin 500"), run("--thin auto"));
+    assert_eq!((&none["thinned"], &none["parameters"]["thin"]), (&Value::Null, &0.into()));
+    assert_eq!(
+        (&some["thinned"]["tries"], &some["parameters"]["thin"]),
+        (&500.into(), &500.into())
+    );
+    assert_eq!(auto["parameters"]["thin"], "auto");
+    let points = |report: &Value| report["mesh"]["points"].as_u64().expect("a count");
+    let saved = some["thinned"]["saved"].as_u64().expect("a count");
+    assert!(saved > 0);
+    assert_eq!(points(&none) - points(&some), saved);
+    assert_eq!(bench.run("mesh square.poly --thin often").code, Some(2));
+}
+
+#[test]
 fn the_report_holds_no_clock() {
     let bench = Bench::with("json-same", "square.poly", SQUARE);
     let run = || bench.succeeds("mesh square.poly --json --max-area 0.01").stdout;

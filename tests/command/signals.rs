@@ -26,6 +26,32 @@ fn a_reader_that_has_seen_enough_is_no_error() {
     }
 }
 
+/// Thinning leaves a whole mesh at any time: an interrupt stops it, and the mesh is written.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_stops_thinning_and_the_mesh_is_written() {
+    let bench = Bench::with("interrupt-thinning", "square.poly", SQUARE);
+    let is_written = |after: Duration| {
+        let mut child = bench
+            .command("mesh square.poly --max-area 1e-3 --thin 1000000000000 -o a.msh")
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the command runs");
+        // An interrupt before the thinning would end the run.
+        std::thread::sleep(after);
+        let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+        assert!(killed.expect("kill runs").success());
+        let mut said = String::new();
+        let stderr = child.stderr.take().expect("stderr is a pipe").read_to_string(&mut said);
+        stderr.expect("it is text");
+        assert_eq!(child.wait().expect("the command ends").code(), Some(130));
+        said.contains("error: thinning was interrupted") && bench.names().contains(&"a.msh".into())
+    };
+    let waits = [1, 4, 16, 64].map(Duration::from_secs);
+    assert!(waits.into_iter().any(is_written));
+    bench.succeeds("check a.msh --input square.poly");
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupt_removes_what_is_half_written() {

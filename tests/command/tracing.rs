@@ -45,6 +45,15 @@ fn count(lines: &[Value], event: &str) -> usize {
 }
 
 #[test]
+fn thinning_is_not_traced_and_named() {
+    let bench = Bench::with("trace-thin", "pond.poly", POND);
+    let ran = bench.run("trace pond.poly --thin auto");
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("error: --thin: a trace tells the refinement"), "{}", ran.stderr);
+    assert_eq!(bench.names(), ["pond.poly"]);
+}
+
+#[test]
 fn a_trace_is_as_its_schema_says_and_counts_what_the_mesh_holds() {
     let bench = Bench::with("trace-counts", "pond.poly", POND);
     bench.put("wedge.poly", "3 2\n1 0 0\n2 4 0\n3 4 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");

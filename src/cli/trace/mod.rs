@@ -7,6 +7,7 @@ mod read;
 use std::path::PathBuf;
 
 use clap::Args;
+use meshwright::Thinning;
 
 use super::failure::{Exit, Failure};
 use super::format::Format;
@@ -45,6 +46,12 @@ pub struct Arguments {
 /// Refines, and writes what it does.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let parameters = arguments.refine.parameters()?;
+    if parameters.thinning != Thinning::None {
+        return Err(Failure::usage(
+            "--thin: a trace tells the refinement, not what thins its mesh",
+        )
+        .with_help("`meshwright mesh --thin` thins"));
+    }
     let (mut pslg, input) =
         input::outline(&arguments.input, arguments.from, arguments.read, voice)?;
     check_places(std::slice::from_ref(&arguments.output), &input.files)?;

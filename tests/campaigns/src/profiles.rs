@@ -1,6 +1,6 @@
 //! Ways of meshing, drawn at random among those that promise to end.
 
-use meshwright::{Excuse, MinAngle, Parameters, Pslg, Region, Splitting, Steiner};
+use meshwright::{Excuse, MinAngle, Parameters, Pslg, Region, Splitting, Steiner, Thinning};
 
 use crate::figures::in_a_box;
 use crate::random::Random;
@@ -48,6 +48,11 @@ fn mixed(shells: bool, random: &mut Random) -> Parameters {
             MinAngle::default()
         },
         soft_angle: soft,
+        thinning: if random.chance(0.4) {
+            Thinning::Tries(random.whole(1, 400) as u64)
+        } else {
+            Thinning::None
+        },
         ..Parameters::default()
     }
 }
@@ -63,7 +68,15 @@ pub fn prepared(outline: Pslg, parameters: &Parameters) -> Pslg {
 #[must_use]
 pub fn options(parameters: &Parameters) -> String {
     let Parameters {
-        min_angle, soft_angle, splitting, excuse, steiner, region, incremental, ..
+        min_angle,
+        soft_angle,
+        splitting,
+        excuse,
+        steiner,
+        region,
+        incremental,
+        thinning,
+        ..
     } = parameters;
     let word = |value: &dyn std::fmt::Debug| match format!("{value:?}").as_str() {
         "OffCenter" => "off-center".to_owned(),
@@ -79,7 +92,12 @@ pub fn options(parameters: &Parameters) -> String {
         word(steiner),
         word(region)
     );
-    if *incremental { options + " --incremental" } else { options }
+    let thin = match thinning {
+        Thinning::None => String::new(),
+        Thinning::Tries(tries) => format!(" --thin {tries}"),
+        Thinning::Auto => " --thin auto".to_owned(),
+    };
+    options + if *incremental { " --incremental" } else { "" } + &thin
 }
 
 #[cfg(test)]
@@ -98,6 +116,7 @@ mod tests {
         }
         assert!(all.contains(&Parameters::default()) && all.contains(&Parameters::paper()));
         assert!(all.iter().any(|one| one.soft_angle.is_some()));
+        assert!(all.iter().any(|one| one.thinning != Thinning::None && one.incremental));
         assert!(drawn(Some(1e-6)).all(|one| one.splitting == Splitting::Ladder));
     }
 

@@ -3,7 +3,9 @@
 mod support;
 
 use meshwright::certify::{Promise, certify};
-use meshwright::{Excuse, MinAngle, Parameters, Pslg, Region, Splitting, Steiner, domain};
+use meshwright::{
+    Excuse, MinAngle, Parameters, Pslg, Region, Splitting, Steiner, Thinning, domain,
+};
 use meshwright_campaigns::families::Family;
 use meshwright_campaigns::hostile::hostile;
 use meshwright_campaigns::judge::{Verdict, judge};
@@ -52,14 +54,16 @@ fn parameters() -> impl Strategy<Value = Parameters> {
         (5.0..MinAngle::LARGEST_DEGREES)
             .prop_map(|degrees| MinAngle::from_degrees(degrees).expect("within the range"))
     ];
-    (splitting, excuse, steiner, region, min_angle, any::<bool>()).prop_map(
-        |(splitting, excuse, steiner, region, min_angle, incremental)| Parameters {
+    let thinning = prop_oneof![Just(Thinning::None), (1_u64..200).prop_map(Thinning::Tries)];
+    (splitting, excuse, steiner, region, min_angle, any::<bool>(), thinning).prop_map(
+        |(splitting, excuse, steiner, region, min_angle, incremental, thinning)| Parameters {
             splitting,
             excuse,
             steiner,
             region,
             min_angle,
             incremental,
+            thinning,
             ..Parameters::default()
         },
     )
@@ -141,9 +145,20 @@ fn the_certificate_is_that_of_the_mesh_it_comes_with() {
 
 #[test]
 fn sixty_hostile_outlines_keep_every_promise() {
-    let mesh_one = |i: usize| {
-        guarded(move || judge(&hostile(3, i as u64), &Parameters::default()).verdict).ending
-    };
+    sixty_hostile_outlines(Parameters::default());
+}
+
+#[test]
+fn sixty_hostile_outlines_keep_every_promise_when_they_are_thinned() {
+    let thinning = Thinning::Tries(200);
+    let soft_angle = MinAngle::soft_from_degrees(30.0).ok();
+    sixty_hostile_outlines(Parameters { thinning, ..Parameters::default() });
+    sixty_hostile_outlines(Parameters { thinning, soft_angle, ..Parameters::default() });
+}
+
+fn sixty_hostile_outlines(parameters: Parameters) {
+    let mesh_one =
+        |i: usize| guarded(move || judge(&hostile(3, i as u64), &parameters).verdict).ending;
     in_order(60, 2, mesh_one, |i, ending| match ending {
         Ending::Done(Verdict::Failed(reasons)) => {
             let outline = hostile(3, i as u64);

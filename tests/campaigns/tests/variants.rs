@@ -1,10 +1,14 @@
 //! The variants of the algorithm: what each does that the default does not.
 
+use std::collections::BTreeMap;
+
 use meshwright::certify::{Guarantee, Promise, Verdict as Found, certify};
 use meshwright::constructions::Angle;
 use meshwright::formats::Provenance;
 use meshwright::refine::incremental::Feature;
-use meshwright::{Excuse, MinAngle, Parameters, Pslg, Region, Rule, Splitting, Steiner, mesh};
+use meshwright::{
+    Excuse, Mesh, MinAngle, Parameters, Pslg, Region, Rule, Splitting, Steiner, Thinning, mesh,
+};
 use meshwright_campaigns::families::Family;
 use meshwright_campaigns::figures;
 use meshwright_campaigns::judge::{Verdict, judge};
@@ -261,6 +265,63 @@ fn looking_ahead_makes_fewer_points_and_keeps_every_promise() {
         usual += judge(&outline, &Parameters::default()).points();
     }
     assert!(100 * ahead < 90 * usual, "{ahead} points against {usual}");
+}
+
+/// The ways of meshing whose meshes are thinned here.
+fn thinned() -> [Parameters; 5] {
+    let ours = Parameters { thinning: Thinning::Tries(300), ..Parameters::default() };
+    let soft = MinAngle::soft_from_degrees(33.0).expect("it is at most 34");
+    [
+        Parameters { steiner: Steiner::LookAhead, ..ours },
+        Parameters { steiner: Steiner::LookAhead, soft_angle: Some(soft), ..ours },
+        Parameters { max_area: Some(0.02), incremental: true, ..ours },
+        Parameters { region: Region::Global, ..ours },
+        Parameters { thinning: ours.thinning, ..paper(Splitting::Shells) },
+    ]
+}
+
+#[test]
+fn thinning_makes_no_more_points_misses_no_more_angles_and_keeps_every_promise() {
+    let (mut with, mut without) = (0, 0);
+    for (name, outline) in spread() {
+        for parameters in thinned() {
+            let judged = judge(&outline, &parameters);
+            assert!(!matches!(judged.verdict, Verdict::Failed(_)), "{name}: {:?}", judged.verdict);
+            let thin = mesh(&outline, &parameters).expect("it is clean");
+            let usual = Parameters { thinning: Thinning::None, ..parameters };
+            let usual = mesh(&outline, &usual).expect("it is clean");
+            let saved = usual.mesh.points.len() - thin.mesh.points.len();
+            let told = thin.thinned.expect("it is thinned");
+            assert_eq!(saved as u64, told.saved, "{name}, {parameters:?}");
+            assert!(thin.missed.len() <= usual.missed.len(), "{name}, {parameters:?}");
+            with += thin.mesh.points.len();
+            without += usual.mesh.points.len();
+        }
+    }
+    assert!(100 * with < 97 * without, "{with} points, {without} without thinning");
+}
+
+#[test]
+fn thinning_keeps_the_outline_first_and_the_order_of_what_was_there() {
+    for (name, outline) in spread() {
+        let parameters = Parameters { thinning: Thinning::Tries(300), ..Parameters::default() };
+        let thin = mesh(&outline, &parameters).expect("it is clean").mesh;
+        let usual = mesh(&outline, &Parameters::default()).expect("it is clean").mesh;
+        let inside = |kind: &Provenance| *kind == Provenance::Circumcenter;
+        let others = |made: &Mesh| {
+            let points = made.points.iter().zip(&made.provenance);
+            points
+                .filter(|(_, kind)| !inside(kind))
+                .map(|(&p, &kind)| (p, kind))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(others(&thin), others(&usual), "{name}");
+        // Of the Steiner points that were there before, those that stay keep their order.
+        let places: BTreeMap<_, _> =
+            usual.points.iter().enumerate().map(|(i, p)| (p.map(f64::to_bits), i)).collect();
+        let stay = thin.points.iter().filter_map(|p| places.get(&p.map(f64::to_bits)));
+        assert!(stay.is_sorted(), "{name}");
+    }
 }
 
 #[test]
