@@ -14,7 +14,9 @@ mod tests;
 
 use std::io::{self, Write};
 
-use crate::base64::Base64;
+use base64::engine::general_purpose::STANDARD;
+use base64::write::EncoderWriter;
+
 use crate::groups::{Note, Rules, Table};
 use crate::mesh::Mesh;
 use crate::rows::Rows;
@@ -105,12 +107,10 @@ fn write_text(
     };
     rows.bytes(&json[..start]);
     rows.text("data:application/octet-stream;base64,")?;
-    let mut text = Base64::default();
-    bytes(&mut |block| {
-        text.push(block, &mut rows);
-        rows.hand_on()
-    })?;
-    text.finish(&mut rows);
+    let mut text = EncoderWriter::new(&mut rows, &STANDARD);
+    bytes(&mut |block| text.write_all(block))?;
+    text.finish()?;
+    drop(text);
     rows.bytes(&json[start + PLACEHOLDER.len()..]);
     rows.text("\n")?;
     rows.finish()

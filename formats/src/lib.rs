@@ -16,7 +16,6 @@ pub mod area;
 mod arrays;
 mod assembly;
 mod attributes;
-mod base64;
 mod blocks;
 mod digits;
 pub mod edge;

@@ -80,6 +80,20 @@ impl<'a, W: Write> Rows<'a, W> {
     }
 }
 
+/// Bytes of a file within the file: as Base64.
+impl<W: Write> Write for Rows<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.bytes(bytes);
+        self.hand_on()?;
+        Ok(bytes.len())
+    }
+
+    /// Does nothing: bytes are handed on block by block.
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
 /// The number by which a file counts an item from one.
 pub(crate) fn one_based(index: u32) -> i64 {
     i64::from(index) + 1

@@ -5,10 +5,11 @@ mod bytes;
 
 use std::io::{self, Write};
 
+use base64::engine::general_purpose::STANDARD;
+use base64::write::EncoderWriter;
 use quick_xml::escape::escape;
 
 use crate::arrays::{Array, Block, Kind};
-use crate::base64::Base64;
 use crate::rows::Rows;
 use bytes::{compressed, raw};
 
@@ -169,21 +170,15 @@ impl<W: Write> File<'_, '_, W> {
 
     fn base64(&mut self, array: &Array) -> io::Result<()> {
         if !self.options.compress {
-            let mut text = Base64::default();
-            raw(array, |bytes| {
-                text.push(bytes, &mut self.rows);
-                self.rows.hand_on()
-            })?;
-            text.finish(&mut self.rows);
+            let mut text = EncoderWriter::new(&mut self.rows, &STANDARD);
+            raw(array, |bytes| text.write_all(bytes))?;
+            text.finish()?;
             return Ok(());
         }
         for part in compressed(array)? {
-            let mut text = Base64::default();
-            for bytes in part.chunks(1 << 16) {
-                text.push(bytes, &mut self.rows);
-                self.rows.hand_on()?;
-            }
-            text.finish(&mut self.rows);
+            let mut text = EncoderWriter::new(&mut self.rows, &STANDARD);
+            text.write_all(&part)?;
+            text.finish()?;
         }
         Ok(())
     }

@@ -84,6 +84,8 @@ impl Nearby {
                 input(point);
             }
         }
+        certificate.apexes.sort_by_key(|apex| (apex.point.index, apex.segments.map(|s| s.index)));
+        certificate.narrows.sort_by_key(|narrow| narrow.point.index);
     }
 
     fn restore_fault(&self, fault: &mut Fault) {

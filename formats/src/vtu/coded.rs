@@ -11,6 +11,8 @@
 
 use std::io::Read;
 
+use base64::engine::{GeneralPurpose, GeneralPurposeConfig};
+use base64::{DecodeError, Engine, alphabet};
 use flate2::read::ZlibDecoder;
 
 use super::Fault;
@@ -118,6 +120,12 @@ impl Arrays<'_> {
     }
 }
 
+/// What stands behind the last byte does not count: writers differ.
+const BASE64: GeneralPurpose = GeneralPurpose::new(
+    &alphabet::STANDARD,
+    GeneralPurposeConfig::new().with_decode_allow_trailing_bits(true),
+);
+
 /// Bytes that stand in a file as they are, or in Base64.
 struct Coded<'a> {
     array: &'a str,
@@ -168,9 +176,8 @@ impl<'a> Coded<'a> {
 
     /// Decodes the next four letters to up to three bytes; false where there are none.
     fn decode_four(&mut self) -> Result<bool, Fault> {
-        let mut bits = 0_u32;
+        let mut four = [0; 4];
         let mut letters = 0;
-        let mut padding = 0;
         while letters < 4 {
             let Some((&letter, rest)) = self.rest.split_first() else { break };
             if letter == b'<' {
@@ -180,29 +187,18 @@ impl<'a> Coded<'a> {
             if letter.is_ascii_whitespace() {
                 continue;
             }
-            let value = match letter {
-                b'A'..=b'Z' => letter - b'A',
-                b'a'..=b'z' => letter - b'a' + 26,
-                b'0'..=b'9' => letter - b'0' + 52,
-                b'+' => 62,
-                b'/' => 63,
-                b'=' => {
-                    padding += 1;
-                    0
-                }
-                _ => return Err(self.no_base64(format!("byte {letter}"))),
-            };
-            bits = bits << 6 | u32::from(value);
+            four[letters] = letter;
             letters += 1;
         }
-        match (letters, padding) {
-            (0, _) => Ok(false),
-            (4, 0..=2) => {
-                self.waiting.extend(&bits.to_be_bytes()[1..4 - padding]);
-                Ok(true)
-            }
-            _ => Err(self.no_base64(format!("{letters} letters, {padding} of them `=`"))),
+        if letters == 0 {
+            return Ok(false);
         }
+        let letters = &four[..letters];
+        BASE64.decode_vec(letters, &mut self.waiting).map_err(|error| match error {
+            DecodeError::InvalidByte(_, byte) => self.no_base64(format!("byte {byte}")),
+            _ => self.no_base64(format!("`{}`", String::from_utf8_lossy(letters))),
+        })?;
+        Ok(true)
     }
 
     fn no_base64(&self, found: String) -> Fault {
