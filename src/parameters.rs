@@ -12,7 +12,7 @@ pub struct Parameters {
     /// The output angle parameter κ̂.
     pub min_angle: MinAngle,
     /// An angle above κ̂ that is reached where it can be: the soft target κ_t. What is promised is
-    /// κ̂ all the same.
+    /// κ̂ all the same. With [`Steiner::LookAhead`] fewer angles miss it than with the default.
     pub soft_angle: Option<MinAngle>,
     /// No triangle may be larger than this area (squared units of the coordinates).
     pub max_area: Option<f64>,

@@ -209,3 +209,17 @@ fn what_is_no_certificate_is_told_so() {
     let stdout = bench.run("mesh square.poly --certificate -");
     assert_eq!(stdout.code, Some(2));
 }
+
+#[test]
+fn a_target_above_what_is_promised_is_aimed_at_by_look_ahead() {
+    let bench = Bench::with("json-target", "square.poly", SQUARE);
+    for (options, expected) in [
+        ("--min-angle 33", "look-ahead"),
+        ("--min-angle 33 --steiner off-center", "off-center"),
+        ("--min-angle 26", "off-center"),
+        ("--min-angle 33 --profile paper", "circumcenter"),
+    ] {
+        let told = report(&bench.succeeds(&format!("mesh square.poly --json {options}")));
+        assert_eq!(told["parameters"]["steiner"], expected, "{options}");
+    }
+}
