@@ -73,7 +73,8 @@ pub fn read(
     let mut evaluator = Evaluator::new(&mut include);
     let made = evaluator.run_script(text, file).and_then(|()| {
         let end = Place { file: 0, offset: text.trim_ascii_end().len() as u32 };
-        outline::outline(&evaluator.model, &evaluator.options, &evaluator.sources, end)
+        let model = std::mem::take(&mut evaluator.model);
+        outline::outline(model, &evaluator.options, &evaluator.sources, end)
     });
     let (pslg, mut warnings) = made.map_err(|trouble| evaluator.sources.error(trouble))?;
     warnings.extend(skipped(&evaluator));

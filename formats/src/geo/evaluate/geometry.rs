@@ -65,7 +65,7 @@ impl Evaluator<'_, '_> {
     /// Whether nothing has this number yet.
     fn is_free(&self, place: Place, kind: EntityKind, tag: i32) -> Answer<()> {
         let (what, first) = match kind {
-            EntityKind::Point => ("point", self.model.points.get(&tag).map(|point| point.place)),
+            EntityKind::Point => ("point", self.model.points.get(tag).map(|point| point.place)),
             EntityKind::CurveLoop | EntityKind::Wire => return Ok(()),
             EntityKind::PlaneSurface
             | EntityKind::Patch
@@ -73,7 +73,7 @@ impl Evaluator<'_, '_> {
             | EntityKind::Disk => {
                 ("surface", self.model.surfaces.get(&tag).map(|surface| surface.place))
             }
-            _ => ("curve", self.model.curves.get(&tag.abs()).map(|curve| curve.place)),
+            _ => ("curve", self.model.curves.get(tag.abs()).map(|curve| curve.place)),
         };
         match first {
             Some(first) => {
@@ -112,7 +112,7 @@ impl Evaluator<'_, '_> {
             }
             .at(place));
         }
-        let curve = Curve { place, kind, points, spread: None };
+        let curve = Curve { place, kind, points: points.into(), spread: None };
         self.model.add_curve(tag, curve).map_err(|problem| problem.at(place))
     }
 
@@ -162,7 +162,7 @@ impl Evaluator<'_, '_> {
                 return Err(count("Ellipse", expected, &numbers).at(place));
             }
         };
-        let curve = Curve { place, kind, points, spread: None };
+        let curve = Curve { place, kind, points: points.into(), spread: None };
         self.model.add_curve(tag, curve).map_err(|problem| problem.at(place))?;
         self.check_arc(tag).map_err(|problem| problem.at(place))
     }
@@ -262,7 +262,7 @@ impl Evaluator<'_, '_> {
         let value = self.number(size)?;
         for tag in tags {
             // Gmsh passes over points that are not there; ranges of numbers have such gaps.
-            if let Some(point) = self.model.points.get_mut(&tag) {
+            if let Some(point) = self.model.points.get_mut(tag) {
                 point.size = Some(value).filter(|&size| size > 0.0 && size < 1e22);
             }
         }
@@ -290,7 +290,7 @@ impl Evaluator<'_, '_> {
         let points = (count as u32).max(2);
         for tag in tags {
             self.model.is_sure(tag).map_err(|problem| problem.at(place))?;
-            let Some(curve) = self.model.curves.get_mut(&tag.abs()) else {
+            let Some(curve) = self.model.curves.get_mut(tag.abs()) else {
                 return Err(unknown("curve", tag).at(place));
             };
             let law = law.map(|(law, coefficient)| match law {
@@ -299,7 +299,7 @@ impl Evaluator<'_, '_> {
                 law => (law, coefficient),
             });
             let law = law.filter(|&(_, coefficient)| coefficient > 0.0 && coefficient.is_finite());
-            curve.spread = Some(Spread { points, law });
+            curve.spread = Some(Box::new(Spread { points, law }));
         }
         Ok(())
     }

@@ -48,6 +48,9 @@ const OPERATORS: [(&str, Operator, u8); 13] = [
 
 /// An element of a list: an expression or a range.
 pub(super) fn item(input: Text) -> Parsed<Expression> {
+    if let Some((rest, number)) = lone_number(input) {
+        return Ok((rest, number));
+    }
     let (rest, first) = choice(input)?;
     let Ok((rest, ())) = to(rest) else {
         return Ok((rest, first));
@@ -62,6 +65,22 @@ pub(super) fn item(input: Text) -> Parsed<Expression> {
     };
     let place = first.place;
     Ok((rest, Expression { place, term: Term::Range(Box::new([first, last]), step) }))
+}
+
+/// A number, with or without a minus, that is the whole item: what most items are, seen at once.
+fn lone_number(input: Text) -> Option<(Text, Expression)> {
+    let begin = blank(input).ok()?;
+    let is_negative = begin.rest.first() == Some(&b'-');
+    let digits = if is_negative { begin.after(1) } else { begin };
+    if !matches!(digits.rest.first(), Some(b'0'..=b'9' | b'.')) {
+        return None;
+    }
+    let (rest, number) = tokens::number(digits).ok()?;
+    if !matches!(rest.rest.first(), Some(b',' | b'}' | b')' | b';')) {
+        return None;
+    }
+    let number = if is_negative { -number } else { number };
+    Some((rest, Expression { place: begin.place(), term: Term::Number(number) }))
 }
 
 /// What stands between the ends of a range.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{CurveKind, Model};
+use super::{CurveKind, Model, Points};
 
 /// Points nearer than this part of the model's size are one (`Geometry.Tolerance`).
 const TOLERANCE: f64 = 1e-8;
@@ -22,11 +22,11 @@ impl Model {
         let mut replaced = BTreeMap::new();
         let tolerance = TOLERANCE * self.extent();
         let mut grid: BTreeMap<[i64; 3], Vec<i32>> = BTreeMap::new();
-        for (&tag, point) in &self.points {
+        for (tag, point) in self.points.iter() {
             let same = neighbours(point.at, tolerance).find_map(|cell| {
                 let near = grid.get(&cell)?;
                 near.iter().copied().find(|other| {
-                    let other = self.points[other].at;
+                    let other = self.points[*other].at;
                     (0..3).all(|i| (other[i] - point.at[i]).abs() <= tolerance)
                 })
             });
@@ -40,12 +40,12 @@ impl Model {
         if replaced.is_empty() {
             return replaced;
         }
-        self.points.retain(|tag, _| !replaced.contains_key(tag));
+        self.points.retain(|tag| !replaced.contains_key(&tag));
         if self.tags.together {
-            self.tags.point = self.points.last_key_value().map_or(0, |(&tag, _)| tag);
+            self.tags.point = self.points.last_tag();
         }
         let renamed = |tag: &mut i32| *tag = replaced.get(tag).copied().unwrap_or(*tag);
-        self.curves.values_mut().flat_map(|curve| &mut curve.points).for_each(renamed);
+        self.curves.values_mut().flat_map(|curve| curve.points.iter_mut()).for_each(renamed);
         self.surfaces.values_mut().flat_map(|s| &mut s.embedded_points).for_each(renamed);
         self.rename_members(0, &replaced);
         replaced
@@ -53,8 +53,8 @@ impl Model {
 
     fn merge_curves(&mut self) -> BTreeMap<i32, i32> {
         let mut replaced = BTreeMap::new();
-        let mut known: BTreeMap<(u8, Vec<i32>), i32> = BTreeMap::new();
-        for (&tag, curve) in &self.curves {
+        let mut known: BTreeMap<(u8, Points), i32> = BTreeMap::new();
+        for (tag, curve) in self.curves.iter() {
             let Some(kind) = comparable(&curve.kind) else { continue };
             let key = (kind, curve.points.clone());
             match known.get(&key) {
@@ -70,9 +70,9 @@ impl Model {
         if replaced.is_empty() {
             return replaced;
         }
-        self.curves.retain(|tag, _| !replaced.contains_key(tag));
+        self.curves.retain(|tag| !replaced.contains_key(&tag));
         if self.tags.together {
-            self.tags.curve = self.curves.last_key_value().map_or(0, |(&tag, _)| tag);
+            self.tags.curve = self.curves.last_tag();
         }
         let renamed = |tag: &mut i32| {
             if let Some(&first) = replaced.get(&tag.abs()) {

@@ -37,12 +37,12 @@ impl Model {
         let copy = self.next_shape_curve();
         self.tags.use_curve(copy);
         let ends = source.ends();
-        let points = if self.is_occ && ends[0] == ends[1] && source.points.len() == 2 {
+        let points: Vec<i32> = if self.is_occ && ends[0] == ends[1] && source.points.len() == 2 {
             let point = self.duplicate_point(place, ends[0])?;
             vec![point, point]
         } else {
             let copies = source.points.iter().map(|&point| self.duplicate_point(place, point));
-            copies.collect::<Result<Vec<_>, _>>()?
+            copies.collect::<Result<_, _>>()?
         };
         if !self.is_occ {
             // Gmsh copies both ends once more; coherence takes them away, but they count.
@@ -50,7 +50,7 @@ impl Model {
                 self.duplicate_point(place, end)?;
             }
         }
-        self.add_curve(copy, Curve { place, points, spread: None, ..source })?;
+        self.add_curve(copy, Curve { place, points: points.into(), spread: None, ..source })?;
         Ok(copy)
     }
 
@@ -93,7 +93,7 @@ impl Model {
         if self.curves.values().any(|curve| curve.points.contains(&tag)) {
             return;
         }
-        if self.points.remove(&tag).is_some() && tag == self.tags.point {
+        if self.points.remove(tag).is_some() && tag == self.tags.point {
             self.tags.point -= 1;
         }
     }
@@ -103,12 +103,12 @@ impl Model {
         if self.surfaces.values().any(is_on) {
             return;
         }
-        let Some(curve) = self.curves.remove(&tag) else { return };
+        let Some(curve) = self.curves.remove(tag) else { return };
         if tag == self.tags.curve {
             self.tags.curve -= 1;
         }
         if recursive {
-            curve.points.into_iter().for_each(|point| self.delete_point(point));
+            curve.points.iter().for_each(|&point| self.delete_point(point));
         }
     }
 

@@ -1,5 +1,7 @@
 //! Curves, by their control points.
 
+use std::ops::{Deref, DerefMut};
+
 use super::{Motion, Spread};
 use crate::geo::syntax::Place;
 
@@ -12,8 +14,44 @@ pub(in crate::geo) struct Curve {
     pub place: Place,
     pub kind: CurveKind,
     /// The points that define it, from its first to its last; see [`CurveKind`].
-    pub points: Vec<i32>,
-    pub spread: Option<Spread>,
+    pub points: Points,
+    pub spread: Option<Box<Spread>>,
+}
+
+/// The tags of the points of a curve. Most curves have two: those take no room of their own.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::geo) enum Points {
+    Two([i32; 2]),
+    Any(Box<[i32]>),
+}
+
+impl From<Vec<i32>> for Points {
+    fn from(points: Vec<i32>) -> Self {
+        match points[..] {
+            [first, last] => Self::Two([first, last]),
+            _ => Self::Any(points.into()),
+        }
+    }
+}
+
+impl Deref for Points {
+    type Target = [i32];
+
+    fn deref(&self) -> &[i32] {
+        match self {
+            Self::Two(points) => points,
+            Self::Any(points) => points,
+        }
+    }
+}
+
+impl DerefMut for Points {
+    fn deref_mut(&mut self) -> &mut [i32] {
+        match self {
+            Self::Two(points) => points,
+            Self::Any(points) => points,
+        }
+    }
 }
 
 /// What a curve is.
@@ -34,7 +72,7 @@ pub(in crate::geo) enum CurveKind {
     Bezier,
     /// A part of a circle or an ellipse that needs no centre point (OpenCASCADE); its two points
     /// are its ends.
-    Arc(Arc),
+    Arc(Box<Arc>),
 }
 
 /// `centre + cos(t)·u + sin(t)·v` for `t` from `from` to `to`, in radians.
@@ -83,7 +121,7 @@ impl Curve {
                 points.swap(1, 2);
                 CurveKind::Ellipse { reversed: !reversed }
             }
-            CurveKind::Arc(arc) => CurveKind::Arc(arc.reversed()),
+            CurveKind::Arc(ref arc) => CurveKind::Arc(Box::new(arc.reversed())),
             ref kind => kind.clone(),
         };
         Self { kind, points, ..self.clone() }

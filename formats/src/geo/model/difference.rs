@@ -61,10 +61,10 @@ impl Model {
         let mut freed: Vec<(usize, Curve)> = Vec::new();
         for (i, curve) in curves.iter().enumerate() {
             if !self.surfaces.values().any(|surface| is_used(*curve, surface)) {
-                freed.extend(self.curves.remove(&curve.abs()).map(|known| (i, known)));
+                freed.extend(self.curves.remove(curve.abs()).map(|known| (i, known)));
             }
         }
-        self.tags.curve = self.curves.last_key_value().map_or(0, |(&tag, _)| tag);
+        self.tags.curve = self.curves.last_tag();
         let is_known = object.curves().count() == 1;
         for (i, curve) in freed {
             let tag = self.tags.curve.saturating_add(1);

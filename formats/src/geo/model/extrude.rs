@@ -99,7 +99,7 @@ impl Model {
         let (kind, points) = match how.sweep {
             Sweep::Along(_) => (CurveKind::Line, vec![tag, top]),
             Sweep::Around { .. } if self.is_occ => {
-                (CurveKind::Arc(self.arc_about(how.sweep, from)), vec![tag, top])
+                (CurveKind::Arc(Box::new(self.arc_about(how.sweep, from))), vec![tag, top])
             }
             Sweep::Around { .. } => {
                 let centre = self.duplicate_point(place, tag)?;
@@ -107,7 +107,10 @@ impl Model {
                 (CurveKind::Circle { reversed: false }, vec![tag, centre, top])
             }
         };
-        self.add_curve(curve, Curve { place, kind, points, spread: how.spread })?;
+        self.add_curve(
+            curve,
+            Curve { place, kind, points: points.into(), spread: how.spread.map(Box::new) },
+        )?;
         Ok((top, Some(curve)))
     }
 
@@ -125,7 +128,7 @@ impl Model {
     }
 
     fn move_point(&mut self, tag: i32, at: [f64; 3]) {
-        if let Some(point) = self.points.get_mut(&tag) {
+        if let Some(point) = self.points.get_mut(tag) {
             point.at = at;
         }
     }
@@ -170,7 +173,7 @@ impl Model {
         let (last, at_end) = self.extrude_point(how, end)?;
         let motion = how.sweep.motion();
         let mut points = Vec::with_capacity(source.points.len());
-        for &point in &source.points {
+        for &point in source.points.iter() {
             points.push(match point {
                 point if point == begin => first,
                 point if point == end => last,
@@ -183,11 +186,14 @@ impl Model {
             });
         }
         let kind = match source.kind {
-            CurveKind::Arc(arc) => CurveKind::Arc(arc.moved(&motion)),
+            CurveKind::Arc(arc) => CurveKind::Arc(Box::new(arc.moved(&motion))),
             kind => kind,
         };
         let top = self.next_shape_curve();
-        self.add_curve(top, Curve { place: how.place, kind, points, spread: source.spread })?;
+        self.add_curve(
+            top,
+            Curve { place: how.place, kind, points: points.into(), spread: source.spread },
+        )?;
         let surface = self.tags.surface.saturating_add(1);
         self.insert_swept(how, surface, [tag, top], [at_begin, at_end])?;
         let mut made = vec![(1, top), (2, surface)];

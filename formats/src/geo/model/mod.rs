@@ -10,6 +10,7 @@ mod extrude;
 mod motion;
 mod queries;
 mod shapes;
+mod table;
 mod tags;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -17,10 +18,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::error::Problem;
 use super::syntax::{Law, Place};
 
-pub(super) use curve::{Arc, Curve, CurveKind, RADIUS_TOLERANCE};
+pub(super) use curve::{Arc, Curve, CurveKind, Points, RADIUS_TOLERANCE};
 pub(super) use difference::Difference;
 pub(super) use extrude::{Extrusion, Sweep};
 pub(super) use motion::Motion;
+pub(super) use table::Table;
 pub(super) use tags::Tags;
 
 /// A point.
@@ -91,8 +93,8 @@ pub(super) struct PhysicalGroup {
 /// The geometry so far.
 #[derive(Debug, Default)]
 pub(super) struct Model {
-    pub points: BTreeMap<i32, Point>,
-    pub curves: BTreeMap<i32, Curve>,
+    pub points: Table<Point>,
+    pub curves: Table<Curve>,
     /// Curve loops: their curves, negative where reversed.
     pub loops: BTreeMap<i32, Vec<i32>>,
     pub surfaces: BTreeMap<i32, Surface>,
@@ -120,8 +122,7 @@ impl Model {
 
     /// Makes a curve between points that are there; its tag must be free.
     pub(super) fn add_curve(&mut self, tag: i32, curve: Curve) -> Result<(), Problem> {
-        if let Some(&missing) = curve.points.iter().find(|&point| !self.points.contains_key(point))
-        {
+        if let Some(&missing) = curve.points.iter().find(|&&point| !self.points.contains(point)) {
             return Err(unknown("point", missing));
         }
         self.tags.use_curve(tag);
@@ -133,8 +134,7 @@ impl Model {
 
     /// Makes a curve loop of curves that are there.
     pub(super) fn add_loop(&mut self, tag: i32, curves: Vec<i32>) -> Result<(), Problem> {
-        if let Some(&missing) = curves.iter().find(|&curve| !self.curves.contains_key(&curve.abs()))
-        {
+        if let Some(&missing) = curves.iter().find(|&curve| !self.curves.contains(curve.abs())) {
             return Err(unknown("curve", missing));
         }
         let curves = self.in_order(curves);
@@ -150,7 +150,7 @@ impl Model {
         let ends: Vec<[i32; 2]> = curves
             .iter()
             .map(|&tag| {
-                let [first, last] = self.curves[&tag.abs()].ends();
+                let [first, last] = self.curves[tag.abs()].ends();
                 if tag < 0 { [last, first] } else { [first, last] }
             })
             .collect();
@@ -208,12 +208,12 @@ impl Model {
 
     /// The point with this tag.
     pub(super) fn point(&self, tag: i32) -> Result<&Point, Problem> {
-        self.points.get(&tag).ok_or_else(|| unknown("point", tag))
+        self.points.get(tag).ok_or_else(|| unknown("point", tag))
     }
 
     /// The curve with this tag, whatever its sign.
     pub(super) fn curve(&self, tag: i32) -> Result<&Curve, Problem> {
-        self.curves.get(&tag.abs()).ok_or_else(|| unknown("curve", tag))
+        self.curves.get(tag.abs()).ok_or_else(|| unknown("curve", tag))
     }
 
     /// The surface with this tag, whatever its sign.

@@ -92,11 +92,11 @@ impl Model {
         }
         sort(&mut curves);
         for &tag in &curves {
-            points.extend(&self.curve(tag)?.points);
+            points.extend(self.curve(tag)?.points.iter());
         }
         sort(&mut points);
         for tag in points {
-            let point = self.points.get_mut(&tag).ok_or_else(|| unknown("point", tag))?;
+            let point = self.points.get_mut(tag).ok_or_else(|| unknown("point", tag))?;
             let moved = motion.apply(point.at);
             if moved.iter().any(|x| !x.is_finite()) {
                 return Err(Problem::NotFinite { operation: format!("moving point {tag}") });
@@ -104,9 +104,9 @@ impl Model {
             point.at = moved;
         }
         for tag in curves {
-            let curve = self.curves.get_mut(&tag).ok_or_else(|| unknown("curve", tag))?;
-            if let CurveKind::Arc(arc) = curve.kind {
-                curve.kind = CurveKind::Arc(arc.moved(motion));
+            let curve = self.curves.get_mut(tag).ok_or_else(|| unknown("curve", tag))?;
+            if let CurveKind::Arc(arc) = &mut curve.kind {
+                **arc = arc.moved(motion);
             }
         }
         Ok(())

@@ -9,8 +9,8 @@ impl Model {
     /// The tags of all shapes of a dimension.
     pub(in crate::geo) fn all(&self, dim: u8) -> Vec<i32> {
         match dim {
-            0 => self.points.keys().copied().collect(),
-            1 => self.curves.keys().copied().collect(),
+            0 => self.points.tags().collect(),
+            1 => self.curves.tags().collect(),
             2 => self.surfaces.keys().copied().collect(),
             _ => Vec::new(),
         }
@@ -66,16 +66,16 @@ impl Model {
 
     /// The shapes of a dimension that lie in a box, by their points.
     pub(in crate::geo) fn in_box(&self, dim: u8, least: [f64; 3], most: [f64; 3]) -> Vec<i32> {
-        let is_in = |point: &i32| {
+        let is_in = |&point: &i32| {
             let at = self.points.get(point).map(|point| point.at);
             at.is_some_and(|at| (0..3).all(|i| least[i] <= at[i] && at[i] <= most[i]))
         };
         let curve_is_in = |curve: &i32| {
-            self.curves.get(&curve.abs()).is_some_and(|curve| curve.points.iter().all(is_in))
+            self.curves.get(curve.abs()).is_some_and(|curve| curve.points.iter().all(is_in))
         };
         match dim {
-            0 => self.points.keys().copied().filter(is_in).collect(),
-            1 => self.curves.keys().copied().filter(curve_is_in).collect(),
+            0 => self.points.tags().filter(is_in).collect(),
+            1 => self.curves.tags().filter(curve_is_in).collect(),
             2 => {
                 let surfaces = self.surfaces.iter();
                 let inside = surfaces.filter(|(_, s)| s.curves().all(|curve| curve_is_in(&curve)));

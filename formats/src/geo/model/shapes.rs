@@ -57,7 +57,7 @@ impl Model {
                 let from = -FRAC_PI_2 + FRAC_PI_2 * (i / 2) as f64;
                 let (u, v) = ([rx, 0.0, 0.0], [0.0, ry, 0.0]);
                 let centre = [x + a, y + b, z];
-                (CurveKind::Arc(Arc { centre, u, v, from, to: from + FRAC_PI_2 }), ends)
+                (CurveKind::Arc(Box::new(Arc { centre, u, v, from, to: from + FRAC_PI_2 })), ends)
             });
             self.free_curves(place, pieces)?
         };
@@ -107,7 +107,8 @@ impl Model {
         } else {
             self.free_points(place, [arc.at(from), arc.at(to)])?.to_vec()
         };
-        self.add_curve(tag, Curve { place, kind: CurveKind::Arc(arc), points, spread: None })
+        let kind = CurveKind::Arc(Box::new(arc));
+        self.add_curve(tag, Curve { place, kind, points: points.into(), spread: None })
     }
 
     /// Points with free numbers.
@@ -133,7 +134,7 @@ impl Model {
         let mut tags = Vec::with_capacity(N);
         for (kind, points) in curves {
             let tag = self.tags.curve.saturating_add(1);
-            self.add_curve(tag, Curve { place, kind, points, spread: None })?;
+            self.add_curve(tag, Curve { place, kind, points: points.into(), spread: None })?;
             tags.push(tag);
         }
         Ok(tags)

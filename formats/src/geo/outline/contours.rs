@@ -1,8 +1,6 @@
 //! The boundary of a surface as closed contours, and how they lie in one another.
 
-use std::collections::BTreeMap;
-
-use crate::geo::error::Problem;
+use super::places::first_place;
 
 /// A closed line of curves, each with its sign.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,25 +18,12 @@ pub(super) struct Contour {
 /// # Errors
 /// The point at which only one curve ends.
 pub(super) fn contours(
-    surface: i32,
     of_loop: usize,
     curves: &[i32],
-    ends: impl Fn(i32) -> [i32; 2],
-) -> Result<Vec<Contour>, Problem> {
-    let mut times: BTreeMap<i32, u32> = BTreeMap::new();
-    for curve in curves {
-        *times.entry(curve.abs()).or_default() += 1;
-    }
-    let once: Vec<i32> = curves.iter().map(|c| c.abs()).filter(|c| times[c] % 2 == 1).collect();
-    let mut at_point: BTreeMap<i32, Vec<usize>> = BTreeMap::new();
-    for (i, &curve) in once.iter().enumerate() {
-        let [first, last] = ends(curve);
-        at_point.entry(first).or_default().push(i);
-        at_point.entry(last).or_default().push(i);
-    }
-    if let Some((&point, _)) = at_point.iter().find(|(_, curves)| curves.len() % 2 == 1) {
-        return Err(Problem::Open { surface, point });
-    }
+    ends: impl Fn(i32) -> [u32; 2],
+) -> Result<Vec<Contour>, u32> {
+    let once = once(curves);
+    let mut ending = Ending::at(&once, &ends)?;
     let mut used = vec![false; once.len()];
     let mut contours = Vec::new();
     for start in 0..once.len() {
@@ -50,15 +35,7 @@ pub(super) fn contours(
         let mut found = vec![once[start]];
         while here != begin {
             // Every point has an even number of ends, so one is left.
-            let next = at_point.get_mut(&here).and_then(|left| {
-                while let Some(i) = left.pop() {
-                    if !used[i] {
-                        return Some(i);
-                    }
-                }
-                None
-            });
-            let Some(next) = next else { return Err(Problem::Open { surface, point: here }) };
+            let Some(next) = ending.next(here, &used) else { return Err(here) };
             used[next] = true;
             let [first, last] = ends(once[next]);
             let forward = first == here;
@@ -68,6 +45,62 @@ pub(super) fn contours(
         contours.push(Contour { of_loop, curves: found });
     }
     Ok(contours)
+}
+
+/// The curves, without signs, that stand in a loop an odd number of times.
+fn once(curves: &[i32]) -> Vec<i32> {
+    let mut sorted: Vec<i32> = curves.iter().map(|curve| curve.abs()).collect();
+    sorted.sort_unstable();
+    let even = sorted.chunk_by(|a, b| a == b).filter(|equal| equal.len() % 2 == 0);
+    let even: Vec<i32> = even.map(|equal| equal[0]).collect();
+    let is_odd = |curve: &i32| even.binary_search(curve).is_err();
+    curves.iter().map(|curve| curve.abs()).filter(is_odd).collect()
+}
+
+/// Which curves end at each point.
+struct Ending {
+    /// Points and curves (as places in a list), sorted.
+    ends: Vec<(u32, u32)>,
+    /// The points, and up to where among the ends theirs are yet to be taken.
+    left: Vec<(u32, u32)>,
+}
+
+impl Ending {
+    /// # Errors
+    /// A point at which an odd number of curves end.
+    fn at(curves: &[i32], ends_of: impl Fn(i32) -> [u32; 2]) -> Result<Self, u32> {
+        let of_curve = |(i, &curve): (u32, &i32)| ends_of(curve).map(|point| (point, i));
+        let mut ends: Vec<(u32, u32)> = (0..).zip(curves).flat_map(of_curve).collect();
+        ends.sort_unstable();
+        let mut left = Vec::with_capacity(curves.len());
+        let mut count = 0;
+        for at_point in ends.chunk_by(|(a, _), (b, _)| a == b) {
+            let (point, _) = at_point[0];
+            if at_point.len() % 2 == 1 {
+                return Err(point);
+            }
+            count += at_point.len() as u32;
+            left.push((point, count));
+        }
+        Ok(Self { ends, left })
+    }
+
+    /// The last curve at a point that is not used yet.
+    fn next(&mut self, point: u32, used: &[bool]) -> Option<usize> {
+        let place = first_place(&self.left, |&(point, _)| i64::from(point), i64::from(point));
+        let (_, left) = self.left.get_mut(place)?;
+        while let Some(before) = left.checked_sub(1) {
+            let (at, curve) = self.ends[before as usize];
+            if at != point {
+                return None;
+            }
+            *left = before;
+            if !used[curve as usize] {
+                return Some(curve as usize);
+            }
+        }
+        None
+    }
 }
 
 /// A polygon that a contour becomes.

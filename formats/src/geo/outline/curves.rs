@@ -1,15 +1,15 @@
-//! The curves that surfaces use, as chains of straight pieces.
+//! The division of curves into straight pieces, and the sizes at their ends.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::chain::{Along, Chain, Measured, doubled_area};
+use super::linework::{Points, is_one_piece};
 use super::path::Path;
-use super::plane::{Asked, Plane};
+use super::plane::Plane;
 use super::sizes::Sizes;
-use crate::geo::error::Problem;
 use crate::geo::evaluate::Options;
-use crate::geo::model::{Model, Surface, unknown};
-use crate::geo::sources::{Answer, Sources};
+use crate::geo::model::{Model, Surface};
+use crate::geo::sources::Answer;
 
 /// Chords may take no more than this part of a surface's area away.
 const LOST_AREA: f64 = 0.009;
@@ -20,108 +20,14 @@ const ROUNDS: usize = 4;
 /// Places on a curve for the box around it.
 const BOX_SAMPLES: u32 = 32;
 
-/// What the geometry becomes in its plane.
-pub(super) struct Linework<'a> {
-    pub model: &'a Model,
-    pub plane: Plane,
-    /// The points that are used, in the plane.
-    pub points: BTreeMap<i32, [f64; 2]>,
-    /// The size at each of them.
-    pub sizes: BTreeMap<i32, f64>,
-    /// The chains of the curves that are used.
-    pub chains: BTreeMap<i32, Chain>,
-}
-
-impl<'a> Linework<'a> {
-    /// Lays the curves of all surfaces into the plane and divides them.
-    pub(super) fn new(model: &'a Model, options: &Options, sources: &Sources) -> Answer<Self> {
-        let curves = used_curves(model)?;
-        let plane = plane(model, &curves, sources)?;
-        let points = used_points(model, &curves, plane);
-        let paths = paths(model, &curves, plane)?;
-        let diagonal = diagonal(&points, &paths);
-        let divided = Divider { model, sizes: Sizes { options, diagonal }, paths }.divide()?;
-        let sizes = divided.point_sizes(&points);
-        Ok(Self { model, plane, points, sizes, chains: divided.chains })
-    }
-
-    /// The places of a curve from its first point up to, but without, its last one.
-    pub(super) fn places(&self, curve: i32) -> Vec<[f64; 2]> {
-        let Some(known) = self.model.curves.get(&curve.abs()) else { return Vec::new() };
-        let [first, last] = known.ends();
-        let inner = &self.chains[&curve.abs()].inner;
-        if curve < 0 {
-            std::iter::once(self.points[&last]).chain(inner.iter().rev().copied()).collect()
-        } else {
-            std::iter::once(self.points[&first]).chain(inner.iter().copied()).collect()
-        }
-    }
-}
-
-/// The curves that bound a surface or are embedded in one.
-fn used_curves(model: &Model) -> Answer<BTreeSet<i32>> {
-    let mut used = BTreeSet::new();
-    for surface in model.surfaces.values() {
-        for curve in surface.curves().chain(surface.embedded_curves.iter().copied()) {
-            if !model.curves.contains_key(&curve.abs()) {
-                return Err(unknown("curve", curve).at(surface.place));
-            }
-            used.insert(curve.abs());
-        }
-    }
-    Ok(used)
-}
-
-/// The plane that the used curves and the embedded points lie in.
-fn plane(model: &Model, curves: &BTreeSet<i32>, sources: &Sources) -> Answer<Plane> {
-    let of_curves = curves.iter().flat_map(|tag| model.curves[tag].points.iter().copied());
-    let embedded = model.surfaces.values().flat_map(|s| s.embedded_points.iter().copied());
-    let tags: BTreeSet<i32> = of_curves.chain(embedded).collect();
-    let asked: Vec<Asked> = tags
-        .iter()
-        .filter_map(|tag| Some((*tag, model.points.get(tag)?)))
-        .map(|(tag, point)| (tag, point.place, point.at))
-        .collect();
-    Plane::of(&asked).map_err(|(problem, place, first)| match problem {
-        Problem::OffPlane { point, plane, .. } => {
-            Problem::OffPlane { point, plane, line: sources.line(first) }.at(place)
-        }
-        problem => problem.at(place),
-    })
-}
-
-/// The points that become vertices: the ends of curves and the embedded points.
-fn used_points(model: &Model, curves: &BTreeSet<i32>, plane: Plane) -> BTreeMap<i32, [f64; 2]> {
-    let ends = curves.iter().flat_map(|tag| model.curves[tag].ends());
-    let embedded = model.surfaces.values().flat_map(|s| s.embedded_points.iter().copied());
-    ends.chain(embedded)
-        .filter_map(|tag| Some((tag, plane.project(model.points.get(&tag)?.at))))
-        .collect()
-}
-
-fn paths(model: &Model, curves: &BTreeSet<i32>, plane: Plane) -> Answer<BTreeMap<i32, Path>> {
-    let mut paths = BTreeMap::new();
-    for &tag in curves {
-        let curve = &model.curves[&tag];
-        let mut places = Vec::with_capacity(curve.points.len());
-        for &point in &curve.points {
-            let point = model.point(point).map_err(|problem| problem.at(curve.place))?;
-            places.push(plane.project(point.at));
-        }
-        let path = Path::of(tag, curve, places, |at| plane.project(at));
-        paths.insert(tag, path.map_err(|problem| problem.at(curve.place))?);
-    }
-    Ok(paths)
-}
-
 /// The diagonal of the box around the points and the curves.
-fn diagonal(points: &BTreeMap<i32, [f64; 2]>, paths: &BTreeMap<i32, Path>) -> f64 {
+fn diagonal(points: &[[f64; 2]], paths: &BTreeMap<i32, Path>) -> f64 {
     let on_curves = paths
         .values()
         .filter(|path| !path.is_straight())
         .flat_map(|path| (0..=BOX_SAMPLES).map(|i| path.at(f64::from(i) / f64::from(BOX_SAMPLES))));
     let (mut least, mut most) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for p in points.values().copied().chain(on_curves) {
+    for p in points.iter().copied().chain(on_curves) {
         for i in 0..2 {
             least[i] = least[i].min(p[i]);
             most[i] = most[i].max(p[i]);
@@ -130,27 +36,58 @@ fn diagonal(points: &BTreeMap<i32, [f64; 2]>, paths: &BTreeMap<i32, Path>) -> f6
     libm::hypot((most[0] - least[0]).max(0.0), (most[1] - least[1]).max(0.0))
 }
 
+/// The paths of the curves that may become more than one straight piece.
+fn paths(model: &Model, curves: &[i32], plane: Plane) -> Answer<BTreeMap<i32, Path>> {
+    let mut paths = BTreeMap::new();
+    for &tag in curves {
+        let curve = &model.curves[tag];
+        let mut places = Vec::new();
+        for &point in curve.points.iter() {
+            let point = model.point(point).map_err(|problem| problem.at(curve.place))?;
+            places.push(plane.project(point.at));
+        }
+        if is_one_piece(curve) && places[0] != places[1] {
+            continue;
+        }
+        let path = Path::of(tag, curve, places, |at| plane.project(at));
+        paths.insert(tag, path.map_err(|problem| problem.at(curve.place))?);
+    }
+    Ok(paths)
+}
+
 /// Divides curves.
-struct Divider<'a> {
+pub(super) struct Divider<'a> {
     model: &'a Model,
     sizes: Sizes<'a>,
+    /// The curves that are used.
+    curves: &'a [i32],
+    points: &'a Points,
     paths: BTreeMap<i32, Path>,
 }
 
-/// Divided curves.
-struct Divided<'a> {
-    model: &'a Model,
-    sizes: Sizes<'a>,
-    chains: BTreeMap<i32, Chain>,
-    /// The lengths that the first and the last piece of a curve should have; none of a straight one
-    /// without points of its own.
-    at_ends: BTreeMap<i32, [f64; 2]>,
-}
-
 impl<'a> Divider<'a> {
-    /// As the sizes ask; then finer where chords would cut too much area off a surface.
-    fn divide(self) -> Answer<Divided<'a>> {
-        let (mut chains, mut at_ends) = (BTreeMap::new(), BTreeMap::new());
+    pub(super) fn new(
+        model: &'a Model,
+        options: &'a Options,
+        curves: &'a [i32],
+        plane: Plane,
+        points: &'a Points,
+    ) -> Answer<Self> {
+        let paths = paths(model, curves, plane)?;
+        let diagonal = diagonal(&points.at, &paths);
+        let sizes = Sizes { options, diagonal };
+        Ok(Self { model, sizes, curves, points, paths })
+    }
+
+    /// The chains of curves that are more than one straight piece, and the size at each point.
+    ///
+    /// Curves are divided as the sizes ask; then finer where chords would cut too much area off a
+    /// surface.
+    pub(super) fn divide(self) -> Answer<(BTreeMap<i32, Chain>, Vec<f64>)> {
+        // The lengths that the first and the last piece of a curve should have; none of a straight
+        // one without points of its own.
+        let mut at_ends = BTreeMap::new();
+        let mut chains = BTreeMap::new();
         let asked = self.pieces()?;
         let mut pieces = asked.clone();
         for _ in 0..ROUNDS {
@@ -165,15 +102,16 @@ impl<'a> Divider<'a> {
                 *count = self.multiplied(*tag, *count, factors[tag]);
             }
         }
-        Ok(Divided { model: self.model, sizes: self.sizes, chains, at_ends })
+        let sizes = self.point_sizes(&at_ends);
+        Ok((chains, sizes))
     }
 
     /// How many pieces each curve has by its sizes or its own number of points.
     fn pieces(&self) -> Answer<BTreeMap<i32, u32>> {
         let mut pieces = BTreeMap::new();
         for (&tag, path) in &self.paths {
-            let curve = &self.model.curves[&tag];
-            let count = match curve.spread {
+            let curve = &self.model.curves[tag];
+            let count = match &curve.spread {
                 Some(spread) => spread.points.max(2) - 1,
                 None if path.is_straight() => path.least_pieces(),
                 None => Measured::new(path)
@@ -188,7 +126,7 @@ impl<'a> Divider<'a> {
 
     /// More pieces; a curve with points of its own keeps them.
     fn multiplied(&self, tag: i32, count: u32, factor: f64) -> u32 {
-        let factor = if self.model.curves[&tag].spread.is_some() { factor.ceil() } else { factor };
+        let factor = if self.model.curves[tag].spread.is_some() { factor.ceil() } else { factor };
         (f64::from(count) * factor).ceil() as u32
     }
 
@@ -196,7 +134,7 @@ impl<'a> Divider<'a> {
     /// ends where those are the curve's own.
     fn chain(&self, tag: i32, count: u32, asked: u32) -> (Chain, Option<[f64; 2]>) {
         let path = &self.paths[&tag];
-        match self.model.curves[&tag].spread {
+        match &self.model.curves[tag].spread {
             Some(spread) => {
                 let (chain, ends) = Measured::new(path).by_law(spread.in_pieces(count));
                 (chain, Some(ends))
@@ -211,8 +149,8 @@ impl<'a> Divider<'a> {
 
     /// The sizes along a curve.
     fn along(&self, tag: i32) -> Box<dyn Along + '_> {
-        let curve = &self.model.curves[&tag];
-        let given = curve.ends().map(|point| self.model.points.get(&point).and_then(|p| p.size));
+        let curve = &self.model.curves[tag];
+        let given = curve.ends().map(|point| self.given(point));
         let turns = self.sizes.options.elements_per_turn;
         let curvature_size = match (&self.paths[&tag], turns > 0.0) {
             (Path::Arc { u, v, .. }, true) => {
@@ -288,56 +226,60 @@ impl<'a> Divider<'a> {
     fn area_in(&self, curves: &[i32]) -> f64 {
         let mut doubled = 0.0;
         for tag in curves {
-            let path = &self.paths[&tag.abs()];
-            let (a, b) = (path.at(0.0), path.at(1.0));
-            let chord = a[0] * b[1] - a[1] * b[0];
-            let own = chord + Measured::new(path).doubled_area();
+            let (chord, beside) = match self.paths.get(&tag.abs()) {
+                Some(path) => ([path.at(0.0), path.at(1.0)], Measured::new(path).doubled_area()),
+                None => (self.model.curves[tag.abs()].ends().map(|point| self.at(point)), 0.0),
+            };
+            let [a, b] = chord;
+            let own = a[0] * b[1] - a[1] * b[0] + beside;
             doubled += if *tag < 0 { -own } else { own };
         }
         0.5 * doubled
     }
-}
 
-impl Divided<'_> {
     /// The size at each point: the mean of what its curves ask for.
-    fn point_sizes(&self, points: &BTreeMap<i32, [f64; 2]>) -> BTreeMap<i32, f64> {
-        let mut asked: BTreeMap<i32, (f64, u32)> = BTreeMap::new();
-        let given = |tag: i32| self.model.points.get(&tag).and_then(|point| point.size);
-        let mut alone: BTreeSet<i32> = points.keys().copied().collect();
-        for &tag in self.chains.keys() {
-            let curve = &self.model.curves[&tag];
-            let ends = curve.ends();
-            for [this, other] in [ends, [ends[1], ends[0]]] {
-                if given(other).is_some() {
-                    alone.remove(&this);
+    fn point_sizes(&self, at_ends: &BTreeMap<i32, [f64; 2]>) -> Vec<f64> {
+        // Points none of whose neighbours has a size, and points on curves that are yet to be
+        // divided: straight ones, by what is given at their ends.
+        let mut alone = vec![true; self.points.tags.len()];
+        let mut on_straight = vec![false; self.points.tags.len()];
+        for &tag in self.curves {
+            let ends = self.model.curves[tag].ends();
+            let [first, last] = ends.map(|point| self.points.index(point) as usize);
+            alone[first] &= self.given(ends[1]).is_none();
+            alone[last] &= self.given(ends[0]).is_none();
+            if !at_ends.contains_key(&tag) {
+                on_straight[first] = true;
+                on_straight[last] = true;
+            }
+        }
+        let own = |i: usize| self.sizes.at_point(self.given(self.points.tags[i]), alone[i]);
+        let mut sums = vec![0.0; alone.len()];
+        let mut counts = vec![0_u32; alone.len()];
+        for &tag in self.curves {
+            let curve = &self.model.curves[tag];
+            let asked = at_ends.get(&tag);
+            for (end, point) in curve.ends().into_iter().enumerate() {
+                let i = self.points.index(point) as usize;
+                if asked.is_none() || curve.spread.is_some() || !on_straight[i] {
+                    sums[i] += asked.map_or_else(|| own(i), |sizes| sizes[end]);
+                    counts[i] += 1;
                 }
             }
         }
-        let own = |tag: i32| self.sizes.at_point(given(tag), alone.contains(&tag));
-        // A straight curve is yet to be divided: by what is given at its ends.
-        let is_straight = |tag: &i32| !self.at_ends.contains_key(tag);
-        let ends_of = |tag: &i32| self.model.curves[tag].ends();
-        let straight: BTreeSet<i32> =
-            self.chains.keys().filter(|tag| is_straight(tag)).flat_map(ends_of).collect();
-        for tag in self.chains.keys() {
-            let counts = |point: &i32| {
-                is_straight(tag)
-                    || self.model.curves[tag].spread.is_some()
-                    || !straight.contains(point)
-            };
-            for (i, point) in ends_of(tag).into_iter().enumerate() {
-                if counts(&point) {
-                    let size = self.at_ends.get(tag).map_or_else(|| own(point), |sizes| sizes[i]);
-                    let (sum, count) = asked.entry(point).or_default();
-                    *sum += size;
-                    *count += 1;
-                }
-            }
+        for (i, sum) in sums.iter_mut().enumerate() {
+            *sum = if counts[i] == 0 { own(i) } else { *sum / f64::from(counts[i]) };
         }
-        let size = |tag: i32| match asked.get(&tag) {
-            Some(&(sum, count)) => sum / f64::from(count),
-            None => own(tag),
-        };
-        points.keys().map(|&tag| (tag, size(tag))).collect()
+        sums
+    }
+
+    /// The size that the script gives to a point.
+    fn given(&self, point: i32) -> Option<f64> {
+        self.model.points.get(point)?.size
+    }
+
+    /// Where a point lies in the plane.
+    fn at(&self, point: i32) -> [f64; 2] {
+        self.points.at[self.points.index(point) as usize]
     }
 }

@@ -1,7 +1,6 @@
 //! Which group each point, curve and surface belongs to.
 
-use std::collections::BTreeMap;
-
+use super::places::first_place;
 use crate::error::{Notice, Warning};
 use crate::geo::model::Model;
 use crate::geo::sources::Sources;
@@ -9,28 +8,26 @@ use crate::pslg::{Group, Tag};
 
 /// The groups of a script. Without any, each curve and each surface is a group of its own, as in
 /// the meshes that Gmsh then writes.
-pub(super) struct Grouping<'a> {
-    model: &'a Model,
-    /// By dimension and tag of the entity: the groups that hold it, the smallest number first.
-    of_entity: BTreeMap<(u8, i32), Vec<Tag>>,
+pub(super) struct Grouping {
+    is_empty: bool,
+    /// By dimension: entities and the groups that hold them, in this order.
+    members: [Vec<(i32, Tag)>; 3],
+    names: Vec<Group>,
 }
 
-impl<'a> Grouping<'a> {
-    pub(super) fn new(model: &'a Model, sources: &Sources, warnings: &mut Vec<Warning>) -> Self {
-        let mut of_entity: BTreeMap<(u8, i32), Vec<Tag>> = BTreeMap::new();
+impl Grouping {
+    pub(super) fn new(model: &Model, sources: &Sources, warnings: &mut Vec<Warning>) -> Self {
+        let mut members = [Vec::new(), Vec::new(), Vec::new()];
         for (&(dim, tag), group) in &model.groups {
             let exists = |member: i32| match dim {
-                0 => model.points.contains_key(&member),
-                1 => model.curves.contains_key(&member),
+                0 => model.points.contains(member),
+                1 => model.curves.contains(member),
                 _ => model.surfaces.contains_key(&member),
             };
             let mut missing = Vec::new();
             for &member in &group.members {
                 if exists(member) {
-                    let groups = of_entity.entry((dim, member)).or_default();
-                    if groups.last() != Some(&tag) {
-                        groups.push(tag);
-                    }
+                    members[usize::from(dim)].push((member, tag));
                 } else {
                     missing.push(member);
                 }
@@ -42,17 +39,25 @@ impl<'a> Grouping<'a> {
                 warnings.push(Warning { file, line, notice });
             }
         }
-        let grouping = Self { model, of_entity };
-        grouping.warn(sources, warnings);
+        for members in &mut members {
+            members.sort_unstable();
+            members.dedup();
+        }
+        let names = model
+            .groups
+            .iter()
+            .filter_map(|(&(dim, tag), group)| Some(Group { dim, tag, name: group.name.clone()? }));
+        let grouping = Self { is_empty: model.groups.is_empty(), members, names: names.collect() };
+        grouping.warn(model, sources, warnings);
         grouping
     }
 
     /// Says where an outline holds less than the script: a region has one group.
-    fn warn(&self, sources: &Sources, warnings: &mut Vec<Warning>) {
-        for (&(_, entity), groups) in self.of_entity.iter().filter(|((dim, _), _)| *dim == 2) {
-            if let [kept, dropped, ..] = groups[..] {
-                let place = self.model.groups[&(2, dropped)].place;
-                let notice = Notice::SecondGroup { surface: entity, kept, dropped };
+    fn warn(&self, model: &Model, sources: &Sources, warnings: &mut Vec<Warning>) {
+        for of_one in self.members[2].chunk_by(|(a, _), (b, _)| a == b) {
+            if let [(surface, kept), (_, dropped), ..] = *of_one {
+                let place = model.groups[&(2, dropped)].place;
+                let notice = Notice::SecondGroup { surface, kept, dropped };
                 let file = sources.name(place.file).to_owned();
                 warnings.push(Warning { file, line: sources.line(place), notice });
             }
@@ -60,35 +65,35 @@ impl<'a> Grouping<'a> {
     }
 
     /// The groups of a point.
-    pub(super) fn of_point(&self, tag: i32) -> &[Tag] {
-        self.of_entity.get(&(0, tag)).map_or(&[], |groups| groups)
+    pub(super) fn of_point(&self, tag: i32) -> impl Iterator<Item = Tag> + '_ {
+        self.of(0, tag)
     }
 
     /// The groups of a curve besides its first.
-    pub(super) fn further_of_curve(&self, tag: i32) -> &[Tag] {
-        self.of_entity.get(&(1, tag)).map_or(&[], |groups| &groups[1..])
+    pub(super) fn further_of_curve(&self, tag: i32) -> impl Iterator<Item = Tag> + '_ {
+        self.of(1, tag).skip(1)
     }
 
     /// The group of a curve; 0 for none.
     pub(super) fn curve(&self, tag: i32) -> Tag {
-        if self.model.groups.is_empty() { tag } else { self.first(1, tag) }
+        if self.is_empty { tag } else { self.of(1, tag).next().unwrap_or(0) }
     }
 
     /// The group of a surface; 0 for none.
     pub(super) fn surface(&self, tag: i32) -> Tag {
-        if self.model.groups.is_empty() { tag } else { self.first(2, tag) }
+        if self.is_empty { tag } else { self.of(2, tag).next().unwrap_or(0) }
     }
 
-    fn first(&self, dim: u8, tag: i32) -> Tag {
-        self.of_entity.get(&(dim, tag)).and_then(|groups| groups.first()).copied().unwrap_or(0)
+    /// The groups of an entity, the smallest number first.
+    fn of(&self, dim: usize, entity: i32) -> impl Iterator<Item = Tag> + '_ {
+        let members = &self.members[dim];
+        let first = first_place(members, |&(member, _)| i64::from(member), i64::from(entity));
+        let of_one = members[first..].iter().take_while(move |&&(member, _)| member == entity);
+        of_one.map(|&(_, tag)| tag)
     }
 
     /// The names of the groups.
-    pub(super) fn names(&self) -> Vec<Group> {
-        let named =
-            self.model.groups.iter().filter_map(|(&(dim, tag), group)| {
-                Some(Group { dim, tag, name: group.name.clone()? })
-            });
-        named.collect()
+    pub(super) fn names(self) -> Vec<Group> {
+        self.names
     }
 }

@@ -47,7 +47,7 @@ impl Path {
             let what = if in_centre { CurveFault::EndInCentre } else { CurveFault::TooFewPoints };
             return Err(fault(what));
         }
-        match curve.kind {
+        match &curve.kind {
             CurveKind::Line => Ok(Self::Straight(points)),
             CurveKind::Spline => Ok(Self::CatmullRom(points)),
             CurveKind::BSpline => {
@@ -59,13 +59,14 @@ impl Path {
             }
             CurveKind::Bezier => Ok(Self::Bezier(points)),
             CurveKind::Circle { reversed } => {
-                circle([points[0], points[1], points[2]], reversed).map_err(fault)
+                circle([points[0], points[1], points[2]], *reversed).map_err(fault)
             }
             CurveKind::Ellipse { reversed } => {
                 let [first, centre, major, last] = [points[0], points[1], points[2], points[3]];
-                ellipse([first, centre, major, last], reversed).map_err(fault)
+                ellipse([first, centre, major, last], *reversed).map_err(fault)
             }
-            CurveKind::Arc(Arc { centre, u, v, from, to }) => {
+            CurveKind::Arc(arc) => {
+                let Arc { centre, u, v, from, to } = **arc;
                 let origin = project([0.0; 3]);
                 let [u, v] = [u, v].map(|axis| difference(project(axis), origin));
                 Ok(Self::Arc { centre: project(centre), u, v, from, to })

@@ -23,12 +23,14 @@ impl Plane {
     ///
     /// # Errors
     /// The first point that lies off the plane of most, with the place of the first point.
-    pub(super) fn of(points: &[Asked]) -> Result<Self, (Problem, Place, Place)> {
-        let Some(&(_, first_place, first)) = points.first() else {
+    pub(super) fn of(
+        points: impl Iterator<Item = Asked> + Clone,
+    ) -> Result<Self, (Problem, Place, Place)> {
+        let Some(first_asked @ (_, first_place, first)) = points.clone().next() else {
             return Ok(Self { normal: 2, at: 0.0 });
         };
         let extent = |axis: usize| {
-            let values = || points.iter().map(|(_, _, at)| at[axis]);
+            let values = || points.clone().map(|(_, _, at)| at[axis]);
             values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
         };
         let extents = [extent(0), extent(1), extent(2)];
@@ -37,8 +39,8 @@ impl Plane {
         if let Some(normal) = flat {
             return Ok(Self { normal, at: first[normal] });
         }
-        let off = points.iter().find(|(_, _, at)| (at[2] - first[2]).abs() > tolerance);
-        let &(point, place, _) = off.unwrap_or(&points[0]);
+        let off = points.clone().find(|(_, _, at)| (at[2] - first[2]).abs() > tolerance);
+        let (point, place, _) = off.unwrap_or(first_asked);
         let problem = Problem::OffPlane { point, plane: format!("z = {}", first[2]), line: 0 };
         Err((problem, place, first_place))
     }

@@ -34,12 +34,19 @@ pub(super) fn stretches(
     let corners = polygons.iter().flat_map(|polygon| &polygon.points);
     let others = walls.iter().flatten().chain(points);
     let mut heights: Vec<f64> = corners.chain(others).map(|p| p[1]).collect();
-    heights.sort_by(f64::total_cmp);
+    heights.sort_unstable_by(f64::total_cmp);
     heights.dedup();
     let mut gaps: Vec<[f64; 2]> = heights.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-    gaps.sort_by(|a, b| (b[1] - b[0]).total_cmp(&(a[1] - a[0])).then(a[0].total_cmp(&b[0])));
+    let wider = |a: &[f64; 2], b: &[f64; 2]| {
+        (b[1] - b[0]).total_cmp(&(a[1] - a[0])).then(a[0].total_cmp(&b[0]))
+    };
+    if gaps.len() > HEIGHTS {
+        gaps.select_nth_unstable_by(HEIGHTS, wider);
+        gaps.truncate(HEIGHTS);
+    }
+    gaps.sort_unstable_by(wider);
     let mut found = Vec::new();
-    for [low, high] in gaps.into_iter().take(HEIGHTS) {
+    for [low, high] in gaps {
         let y = low + 0.5 * (high - low);
         if low < y
             && y < high

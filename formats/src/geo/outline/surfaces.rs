@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::contours::{Contour, Polygon, contours};
-use super::curves::Linework;
 use super::faces;
 use super::groups::Grouping;
+use super::linework::Linework;
 use super::overlaps::{Area, overlap};
 use super::seeds::{Stretch, stretches};
 use crate::error::{Notice, Warning};
@@ -36,7 +36,7 @@ pub(super) fn regions(
 ) -> Answer<Vec<(Region, Place)>> {
     let mut all = Vec::new();
     let mut known: BTreeMap<Vec<i32>, i32> = BTreeMap::new();
-    for (&tag, surface) in &linework.model.surfaces {
+    for (&tag, surface) in &linework.surfaces {
         let mut curves: Vec<i32> = surface.curves().map(i32::abs).collect();
         curves.sort_unstable();
         let first = *known.entry(curves).or_insert(tag);
@@ -52,7 +52,7 @@ pub(super) fn regions(
     let mut areas = Vec::new();
     let mut owners = Vec::new();
     for parts in &all {
-        let surface = &linework.model.surfaces[&parts.tag];
+        let surface = &linework.surfaces[&parts.tag];
         let (walls, points) = embedded(linework, surface);
         for (outer, holes) in &parts.parts {
             let polygons: Vec<&Polygon> =
@@ -92,14 +92,20 @@ fn in_order<'a>(a: &'a Parts, b: &'a Parts) -> (&'a Parts, &'a Parts) {
 }
 
 fn parts(linework: &Linework, tag: i32, surface: &Surface) -> Answer<Parts> {
-    let ends = |curve: i32| linework.model.curves[&curve].ends();
+    let ends = |curve: i32| linework.curves.ends(curve);
     let mut found: Vec<Contour> = Vec::new();
     for (i, (_, curves)) in surface.loops.iter().enumerate() {
-        found.extend(contours(tag, i, curves, ends).map_err(|problem| problem.at(surface.place))?);
+        let open = |point: u32| {
+            let point = linework.points.tags[point as usize];
+            Problem::Open { surface: tag, point }.at(surface.place)
+        };
+        found.extend(contours(i, curves, ends).map_err(open)?);
     }
     let loops: Vec<i32> = found.iter().map(|contour| surface.loops[contour.of_loop].0).collect();
     let polygon = |contour: &Contour| {
-        Polygon::new(contour.curves.iter().flat_map(|&curve| linework.places(curve)).collect())
+        let mut places = Vec::with_capacity(contour.curves.len());
+        contour.curves.iter().for_each(|&curve| linework.add_places(curve, &mut places));
+        Polygon::new(places)
     };
     let polygons: Vec<Polygon> = found.iter().map(polygon).collect();
     let holders = holders(&polygons);
@@ -187,11 +193,12 @@ pub(super) fn encloses(outer: &Polygon, inner: &Polygon) -> bool {
 fn embedded(linework: &Linework, surface: &Surface) -> (Vec<[[f64; 2]; 2]>, Vec<[f64; 2]>) {
     let mut walls = Vec::new();
     for &curve in &surface.embedded_curves {
-        let mut places = linework.places(curve);
-        let [_, last] = linework.model.curves[&curve].ends();
-        places.push(linework.points[&last]);
+        let mut places = Vec::new();
+        linework.add_places(curve, &mut places);
+        let [_, last] = linework.curves.ends(curve);
+        places.push(linework.points.at[last as usize]);
         walls.extend(places.windows(2).map(|pair| [pair[0], pair[1]]));
     }
-    let points = surface.embedded_points.iter().map(|point| linework.points[point]).collect();
-    (walls, points)
+    let at = |&point: &i32| linework.points.at[linework.points.index(point) as usize];
+    (walls, surface.embedded_points.iter().map(at).collect())
 }
