@@ -117,6 +117,16 @@ pub enum FaultKind {
         /// The region's.
         expected: String,
     },
+    /// G4: a point or an edge is not in a group that its point or its segment of the outline is in.
+    LostGroup {
+        /// The group, with its name if it has one.
+        expected: String,
+    },
+    /// G4: a point or an edge is in a group that its point or its segment of the outline is not in.
+    StrangeGroup {
+        /// The group, with its name if it has one.
+        found: String,
+    },
     /// G5: an angle below κ̂ that no two segments excuse.
     UnexcusedAngle,
     /// G5: an angle across two segments at angle θ that is below arctan(sin θ / (2 − cos θ)).
@@ -200,6 +210,16 @@ impl Fault {
 
     pub(super) fn of_angle(self, angle: f64) -> Self {
         Self { angle: Some(angle), ..self }
+    }
+
+    /// What is in a group, or is not: a point, or an edge of a segment.
+    fn member(&self) -> String {
+        match (self.edge, self.segment) {
+            (Some([v, w]), Some(segment)) => {
+                format!("edge {}–{} of {}", u64::from(v) + 1, u64::from(w) + 1, of_outline(segment))
+            }
+            _ => format!("point {}", self.point.map_or(0, |v| u64::from(v) + 1)),
+        }
     }
 }
 
@@ -296,6 +316,20 @@ impl fmt::Display for Fault {
             }
             WrongRegionTag { found, expected } => {
                 write!(f, "triangle {triangle} has the tag {found}, the outline says {expected}")?;
+            }
+            LostGroup { expected } => {
+                write!(
+                    f,
+                    "{} is not in the group {expected}, where the outline puts it",
+                    self.member()
+                )?;
+            }
+            StrangeGroup { found } => {
+                write!(
+                    f,
+                    "{} is in the group {found}, where the outline does not put it",
+                    self.member()
+                )?;
             }
             UnexcusedAngle => write!(
                 f,

@@ -10,7 +10,7 @@
 //! | G1 | the triangles are a complex and cover the domain | `complex`, `cover` |
 //! | G2 | edges are locally Delaunay | `delaunay` |
 //! | G3 | diametral discs of subsegments are empty | `delaunay` |
-//! | G4 | segments, points and tags of the outline are kept | `conformity`, `tags` |
+//! | G4 | segments, points, tags and groups of the outline are kept | `conformity`, `tags`, `memberships` |
 //! | G5, G6 | Lemma 7 | `angles` |
 //! | G7 | Corollary 3 | `angles` |
 //! | G8 | Corollary 2 | `shortest` |
@@ -26,6 +26,7 @@ mod exact;
 mod fault;
 mod frame;
 mod hull;
+mod memberships;
 mod nearby;
 mod nesting;
 mod outline;
@@ -56,7 +57,9 @@ use crate::parameters::Region;
 /// Judges a mesh against the outline that it is a mesh of.
 ///
 /// Every guarantee is judged (G8 and G9 only where the mesh says its points' kinds), and the mesh's
-/// tags are compared with the outline's. The work grows like n log n.
+/// tags are compared with the outline's, and so are its memberships: of a mesh out of a file that
+/// holds one group for each edge, judge against an outline without further ones. The work grows like
+/// n log n.
 ///
 /// ```
 /// use meshwright::certify::{Guarantee, Promise, Verdict, certify};
@@ -106,6 +109,7 @@ fn judge(nearby: &Nearby, promise: &Promise) -> Certificate {
     let chains = conformity::judge(&outline, &complex, &nearby.at_input, &mut g4);
     cover::judge(&outline, &complex, &chains, &mut g1);
     tags::judge_regions(&outline, &complex, &chains, &mut g4);
+    memberships::judge(&outline, &complex, &chains, &mut g4);
 
     let floor = Floor::new(&outline, &complex, &chains);
     delaunay::judge_edges(Some(&outline), &complex, &chains, &floor, &mut g2);

@@ -1,4 +1,4 @@
-//! One literal for each guarantee; thousands of random faults are in `tests/planted.rs`.
+//! One literal for each guarantee; thousands of random faults are in `tests/planted/`.
 
 use proptest::prelude::*;
 

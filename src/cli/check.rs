@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use meshwright::certify::{self, Certificate};
+use meshwright::certify::{self, Certificate, Promise};
 use meshwright::statistics::Statistics;
+use meshwright::{Mesh, Pslg};
 
 use super::certificate::{self, Held};
 use super::failure::{Exit, Failure};
@@ -73,7 +74,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         None => None,
     };
     let certificate = match &mended {
-        Some(mended) => certify::certify(mended.outline(), mesh, &promise),
+        Some(mended) => against(mended.outline(), mesh, judged.format, &promise),
         None => certify::certify_alone(mesh, &promise),
     };
     if arguments.json {
@@ -91,6 +92,19 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         }
     }
     Ok(if certificate.holds() { Exit::Done } else { Exit::Promise })
+}
+
+/// Judges a mesh against an outline. Where the mesh's format holds one group for each edge and none
+/// for points, the others are not asked for.
+fn against(outline: &Pslg, mesh: &Mesh, format: Format, promise: &Promise) -> Certificate {
+    if format.holds_memberships() || outline.memberships.is_empty() {
+        return certify::certify(outline, mesh, promise);
+    }
+    let one_group_each = Pslg { memberships: Vec::new(), ..outline.clone() };
+    let mesh = Mesh { memberships: Vec::new(), ..mesh.clone() };
+    let mut certificate = certify::certify(&one_group_each, &mesh, promise);
+    certificate.not_judged.push("groups of points, further groups of edges (the format has none)");
+    certificate
 }
 
 /// Every fault that the certificate keeps where there are several, and every excused angle.

@@ -146,6 +146,11 @@ impl Format {
         )
     }
 
+    /// Whether points are in groups in its meshes, and edges in more than one.
+    pub fn holds_memberships(self) -> bool {
+        matches!(self, Self::Msh | Self::Inp)
+    }
+
     /// Whether meshes are written to it.
     pub fn meshes_are_written(self) -> bool {
         !matches!(self, Self::Geo | Self::Area)

@@ -127,3 +127,54 @@ fn chain(points: &[[f64; 2]], order: impl Iterator<Item = u32>) -> Vec<[u32; 2]>
     }
     chain.windows(2).map(|pair| [pair[0], pair[1]]).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+    use crate::formats::Pslg;
+    use crate::parameters::Region;
+
+    /// A square with three points beside its lower side, at heights that doubles cannot tell from 0
+    /// at its size: high, low, high.
+    const POINTS: [[f64; 2]; 7] = [
+        [0.0, 0.0],
+        [1.0, 0.0],
+        [1.0, 1.0],
+        [0.0, 1.0],
+        [0.25, 3e-17],
+        [0.5, 1e-18],
+        [0.75, 2e-17],
+    ];
+
+    /// The lower side, bent through them.
+    const BENT: [[u32; 2]; 4] = [[0, 4], [4, 5], [5, 6], [6, 1]];
+
+    fn domain(segments: &[[u32; 2]]) -> Domain {
+        let pslg = Pslg {
+            points: POINTS.to_vec(),
+            segments: segments.to_vec(),
+            segment_tags: vec![0; segments.len()],
+            ..Pslg::default()
+        };
+        Domain::new(&pslg, Region::Hull).expect("nothing crosses").0
+    }
+
+    #[test]
+    fn a_segment_crosses_a_bent_edge_from_one_side_to_the_other() {
+        assert!(is_crossed(&BENT, &POINTS, &[[2, 3], [0, 6]]), "from below the chain to above it");
+        assert!(!is_crossed(&BENT, &POINTS, &[[2, 3], [0, 4], [4, 2], [5, 3]]), "ends are shared");
+        assert!(!is_crossed(&BENT, &POINTS, &[]));
+    }
+
+    #[test]
+    fn a_side_that_is_bent_past_a_segment_stays_straight() {
+        // From the corner to the third point: above the second, below the first.
+        let crossing = domain(&[[0, 6]]);
+        assert!(crossing.segments.contains(&[0, 1]), "{:?}", crossing.segments);
+        // Along the chain itself nothing is crossed.
+        let along = domain(&[[0, 4]]);
+        assert!(!along.segments.contains(&[0, 1]), "{:?}", along.segments);
+        assert!(BENT.iter().all(|edge| along.segments.contains(edge)), "{:?}", along.segments);
+    }
+}

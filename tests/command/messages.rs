@@ -224,6 +224,32 @@ fn a_planted_fault_is_found_and_named() {
 }
 
 #[test]
+fn a_lost_second_group_is_found_and_named() {
+    let rooms = include_str!("../fixtures/named_rooms.geo");
+    let bench = Bench::with("second-group", "rooms.geo", rooms);
+    bench.succeeds("mesh rooms.geo -o a.msh -o a.vtu");
+    let ran = bench.succeeds("check a.msh --input rooms.geo");
+    assert!(ran.stdout.contains("conforming    holds"), "{}", ran.stdout);
+
+    // Group 21, `cold`, is the second one of the right wall; 40, `probe`, holds a point.
+    let text = String::from_utf8(bench.read("a.msh")).expect("a .msh file is text");
+    for (old, new, lost) in [
+        (" 1 2 21 ", " 1 2 3 ", "is not in the group 21 (cold), where the outline puts it"),
+        (" 15 2 40 ", " 15 2 41 ", "point 1 is not in the group 40 (probe)"),
+    ] {
+        let changed = text.replacen(old, new, 1);
+        assert_ne!(changed, text);
+        bench.put("changed.msh", changed);
+        let ran = bench.run("check changed.msh --input rooms.geo -v");
+        assert_eq!(ran.code, Some(4), "{ran:?}");
+        assert!(ran.stdout.contains(lost), "{}", ran.stdout);
+    }
+
+    let ran = bench.succeeds("check a.vtu --input rooms.geo");
+    assert!(ran.stdout.contains("groups of points, further groups of edges"), "{}", ran.stdout);
+}
+
+#[test]
 fn verbose_check_lists_every_fault_and_excused_angle() {
     let needle = "3 2\n1 0 0\n2 1 0\n3 1 0.02\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n";
     let bench = Bench::with("verbose-check", "needle.poly", needle);

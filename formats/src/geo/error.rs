@@ -62,7 +62,7 @@ pub enum Problem {
         /// What stands there.
         found: Found,
         /// What to do about it, where that is known.
-        help: Option<&'static str>,
+        help: Option<Cow<'static, str>>,
     },
     /// A statement of Gmsh that this reader does not take.
     #[error("`{statement}` is not read")]
@@ -261,9 +261,9 @@ pub enum CurveFault {
 }
 
 impl Problem {
-    fn help(&self) -> Option<&'static str> {
+    fn help(&self) -> Option<&str> {
         match self {
-            Self::Syntax { help, .. } => *help,
+            Self::Syntax { help, .. } => help.as_deref(),
             Self::Unsupported { .. } => Some(SUBSET),
             Self::Include { .. } => Some("only files beside the script, or in folders below it"),
             Self::Twice { .. } => Some("`newp`, `newl` and `news` give numbers that are free"),

@@ -91,8 +91,12 @@ impl<'a> Sources<'a> {
 
     /// The trouble that something else should stand where the grammar stopped.
     pub(super) fn syntax(&self, fault: Fault) -> Trouble {
-        let Fault { place, expected, help } = fault;
-        let rest = &self.files[place.file as usize].text.bytes()[place.offset as usize..];
+        let Fault { place, expected, is_cut_off } = fault;
+        let text = self.files[place.file as usize].text.bytes();
+        let last = Place { offset: text.trim_ascii_end().len() as u32, ..place };
+        let help = is_cut_off
+            .then(|| format!("line {} is the last: is the file whole?", self.line(last)).into());
+        let rest = &text[place.offset as usize..];
         let found = match line_of(rest).trim_ascii() {
             [] if rest.trim_ascii().is_empty() => Found::EndOfFile,
             [] => Found::EndOfLine,

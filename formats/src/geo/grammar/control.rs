@@ -1,7 +1,9 @@
 //! The grammar of what decides which statements run: branches, loops, macros, other files, ends.
 
+use nom::Err;
+
 use super::expressions::must_item;
-use super::input::{Parsed, Text};
+use super::input::{Fault, Parsed, Text};
 use super::statements::statement;
 use super::tokens::{at_end, blank, keyword, must, symbol, text, word};
 use crate::geo::syntax::{Action, Block, Expression, Term};
@@ -57,13 +59,13 @@ pub(super) fn if_statement(input: Text) -> Parsed<Action> {
                 let (after, otherwise) = block(after)?;
                 return match word(after) {
                     Ok((after, "EndIf")) => Ok((after, Action::If { branches, otherwise })),
-                    _ => never_ends(input, "If", "EndIf"),
+                    _ => never_ends(input, after, ["If", "EndIf"]),
                 };
             }
             Ok((after, "EndIf")) => {
                 return Ok((after, Action::If { branches, otherwise: Block::default() }));
             }
-            _ => return never_ends(input, "If", "EndIf"),
+            _ => return never_ends(input, rest, ["If", "EndIf"]),
         }
     }
 }
@@ -90,7 +92,7 @@ pub(super) fn for_statement(input: Text) -> Parsed<Action> {
     let (rest, body) = block(rest.as_deep_as(input))?;
     match word(rest) {
         Ok((rest, "EndFor")) => Ok((rest, Action::For { variable, first, last, step, body })),
-        _ => never_ends(input, "For", "EndFor"),
+        _ => never_ends(input, rest, ["For", "EndFor"]),
     }
 }
 
@@ -106,7 +108,7 @@ pub(super) fn macro_statement(input: Text) -> Parsed<Action> {
     let (rest, body) = block(rest)?;
     match word(rest) {
         Ok((rest, "Return")) => Ok((rest, Action::Macro { name, body })),
-        _ => never_ends(input, "Macro", "Return"),
+        _ => never_ends(input, rest, ["Macro", "Return"]),
     }
 }
 
@@ -125,6 +127,9 @@ fn block(input: Text) -> Parsed<Block> {
     Ok((rest.as_deep_as(input), statements.into()))
 }
 
-fn never_ends<'a, T>(input: Text<'a>, what: &str, end: &str) -> Parsed<'a, T> {
-    input.must(format!("`{what}` with its `{end}`, which is missing or stands in another block"))
+/// A block that begins at `input` and has not ended where something else stands.
+fn never_ends<'a, T>(input: Text<'a>, rest: Text<'a>, [what, end]: [&str; 2]) -> Parsed<'a, T> {
+    let expected =
+        format!("`{what}` with its `{end}`, which is missing or stands in another block");
+    Err(Err::Failure(Fault { is_cut_off: at_end(rest)?, ..input.fault(expected) }))
 }

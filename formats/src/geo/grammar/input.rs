@@ -30,7 +30,8 @@ pub(super) type Parsed<'a, T> = IResult<Text<'a>, T, Fault>;
 pub(crate) struct Fault {
     pub place: Place,
     pub expected: Cow<'static, str>,
-    pub help: Option<&'static str>,
+    /// Whether the script ended before a block did.
+    pub is_cut_off: bool,
 }
 
 impl<'a> Text<'a> {
@@ -63,7 +64,7 @@ impl<'a> Text<'a> {
     }
 
     pub(super) fn fault(&self, expected: impl Into<Cow<'static, str>>) -> Fault {
-        Fault { place: self.place(), expected: expected.into(), help: None }
+        Fault { place: self.place(), expected: expected.into(), is_cut_off: false }
     }
 
     /// The answer that something else should stand here; other parsers may still try.

@@ -4,55 +4,24 @@
 //! shaken, with a hole, an interface and a slit, and a small angle. One is Lake Superior's, as
 //! meshwright makes it. Every random choice comes from [`SEED`].
 
+use meshwright::Mesh;
 use meshwright::certify::{Fault, FaultKind, Guarantee, Promise, certify};
-use meshwright::formats::{Group, Region, poly};
-use meshwright::{Mesh, Parameters, Pslg};
+use meshwright::formats::Membership;
+
+mod subjects;
+
+use subjects::{Point, Random, Subject, area, in_circle, member, subjects};
 
 /// Printed with every failure.
 const SEED: u64 = 0x5eed_0003;
 /// How often each kind of fault is planted.
 const PLANTINGS: usize = 240;
 
-type Point = [f64; 2];
-
-/// A mesh, the outline it is a mesh of, and a name for messages.
-#[derive(Clone)]
-struct Subject {
-    name: &'static str,
-    pslg: Pslg,
-    mesh: Mesh,
-}
-
 /// A damaged mesh, and where the damage is.
 struct Planting {
     mesh: Mesh,
     /// Points around the damage: the witness lies in their bounding box.
     damage: Vec<Point>,
-}
-
-/// A sequence of random numbers that is the same everywhere (splitmix64).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() % n as u64) as usize
-    }
-
-    fn pick<T: Copy>(&mut self, items: &[T]) -> T {
-        items[self.below(items.len())]
-    }
-
-    /// From −1 to 1.
-    fn signed(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
 }
 
 /// Plants faults into all meshes, and expects each one to be found: a fault of `guarantee` for
@@ -311,6 +280,59 @@ fn a_wrong_boundary_tag_is_found() {
 }
 
 #[test]
+fn a_lost_group_is_found() {
+    finds(
+        Guarantee::Conforming,
+        |subject, random| {
+            let mut mesh = subject.mesh.clone();
+            let lost = random.below(mesh.memberships.len().max(1));
+            let lost = (lost < mesh.memberships.len()).then(|| mesh.memberships.remove(lost))?;
+            let damage = members(&mesh, lost);
+            Some(Planting { mesh, damage })
+        },
+        |kind| matches!(kind, FaultKind::LostGroup { .. }),
+    );
+}
+
+#[test]
+fn a_group_that_the_outline_does_not_give_is_found() {
+    finds(
+        Guarantee::Conforming,
+        |subject, random| {
+            let mut mesh = subject.mesh.clone();
+            let dim = random.below(2) as u8;
+            let count = if dim == 0 { mesh.points.len() } else { mesh.edges.len() };
+            let strange = member(dim, random.below(count) as u32, random.pick(&[4, 8, 9, 77]));
+            let is_tag = dim == 1 && mesh.edge_tags[strange.item as usize] == strange.tag;
+            if is_tag || mesh.memberships.contains(&strange) {
+                return None;
+            }
+            mesh.memberships.push(strange);
+            let damage = members(&mesh, strange);
+            Some(Planting { mesh, damage })
+        },
+        |kind| matches!(kind, FaultKind::StrangeGroup { .. }),
+    );
+}
+
+#[test]
+fn a_group_with_another_number_is_lost_and_strange() {
+    finds(
+        Guarantee::Conforming,
+        |subject, random| {
+            let mut mesh = subject.mesh.clone();
+            let i = random.below(mesh.memberships.len().max(1));
+            mesh.memberships.get_mut(i)?.tag = 77;
+            let damage = members(&mesh, mesh.memberships[i]);
+            let certificate = certify(&subject.pslg, &mesh, &Promise::default());
+            assert_eq!(certificate.judgement(Guarantee::Conforming).faults, 2);
+            Some(Planting { mesh, damage })
+        },
+        |kind| matches!(kind, FaultKind::LostGroup { .. }),
+    );
+}
+
+#[test]
 fn a_wrong_region_tag_is_found() {
     finds(
         Guarantee::Conforming,
@@ -439,6 +461,13 @@ fn star(mesh: &Mesh, v: u32) -> Vec<usize> {
     (0..mesh.triangles.len()).filter(|&t| mesh.triangles[t].contains(&v)).collect()
 }
 
+/// Where the member of a group is.
+fn members(mesh: &Mesh, membership: Membership) -> Vec<Point> {
+    let item = membership.item as usize;
+    let points = if membership.dim == 0 { vec![item as u32] } else { mesh.edges[item].to_vec() };
+    points.into_iter().map(|v| mesh.points[v as usize]).collect()
+}
+
 fn corners(mesh: &Mesh, triangles: &[usize]) -> Vec<Point> {
     triangles.iter().flat_map(|&t| mesh.triangles[t]).map(|v| mesh.points[v as usize]).collect()
 }
@@ -448,213 +477,5 @@ fn remove_edge(mesh: &mut Mesh, e: usize) {
     mesh.edge_tags.remove(e);
     if !mesh.edge_segments.is_empty() {
         mesh.edge_segments.remove(e);
-    }
-}
-
-fn area(a: Point, b: Point, c: Point) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-}
-
-/// Positive if `d` is inside the circle through `a`, `b`, `c`.
-fn in_circle(a: Point, b: Point, c: Point, d: Point) -> f64 {
-    let [a, b, c] = [a, b, c].map(|p| [p[0] - d[0], p[1] - d[1]]);
-    let cross = |p: Point, q: Point| p[0] * q[1] - p[1] * q[0];
-    let square = |p: Point| p[0] * p[0] + p[1] * p[1];
-    square(a) * cross(b, c) + square(b) * cross(c, a) + square(c) * cross(a, b)
-}
-
-fn subjects(random: &mut Random) -> [Subject; 4] {
-    [plate(random), wedge(), block(random), lake()]
-}
-
-/// Lake Superior, refined.
-fn lake() -> Subject {
-    let text = include_bytes!("../examples/lake_superior.poly");
-    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
-    let (pslg, _) = poly::read(text, "lake_superior.poly", alone).unwrap();
-    let mesh = meshwright::mesh(&pslg, &Parameters::default()).unwrap().mesh;
-    Subject { name: "lake", pslg, mesh }
-}
-
-/// A plate of 12 × 7 squares with a square hole, an interface at x = 6 and a slit on the left.
-fn plate(random: &mut Random) -> Subject {
-    let outline = [[0.0, 0.0], [6.0, 0.0], [12.0, 0.0], [12.0, 7.0], [6.0, 7.0], [0.0, 7.0]];
-    let hole = [[4.0, 2.0], [5.0, 2.0], [5.0, 3.0], [4.0, 3.0]];
-    let slit = [[1.0, 5.0], [4.0, 5.0]];
-    let pslg = Pslg {
-        points: [&outline[..], &hole[..], &slit[..]].concat(),
-        segments: [
-            [0, 1],
-            [1, 2],
-            [2, 3],
-            [3, 4],
-            [4, 5],
-            [5, 0],
-            [1, 4],
-            [6, 7],
-            [7, 8],
-            [8, 9],
-            [9, 6],
-            [10, 11],
-        ]
-        .to_vec(),
-        segment_tags: vec![1, 1, 2, 3, 3, 2, 7, 1, 2, 3, 2, -5],
-        holes: vec![[4.5, 2.5]],
-        regions: vec![region([1.0, 1.0], 10), region([7.0, 1.0], 20)],
-        groups: vec![Group { dim: 1, tag: 7, name: "membrane".to_owned() }],
-        ..Pslg::default()
-    };
-    let grid = Grid { columns: 12, rows: 7, corner: [0.0, 0.0], step: 1.0, hole: Some([4, 2]) };
-    let mut mesh = grid.mesh(&pslg, random);
-    mesh.triangle_tags = mesh
-        .triangles
-        .iter()
-        .map(|t| if t.iter().all(|v| mesh.points[*v as usize][0] >= 6.0) { 20 } else { 10 })
-        .collect();
-    Subject { name: "plate", pslg, mesh }
-}
-
-/// Two segments at about 20°, closed by a third.
-fn wedge() -> Subject {
-    // Slopes and distances with few bits: every point lies exactly on its segment.
-    let (up, down) = (13.0 / 64.0, -9.0 / 64.0);
-    let radii: Vec<f64> =
-        std::iter::successors(Some(8.0), |r: &f64| Some((r * 1.36 * 8.0).round() / 8.0))
-            .take(14)
-            .collect();
-    let end = *radii.last().unwrap();
-    let pslg = Pslg {
-        points: vec![[0.0, 0.0], [end, end * up], [end, end * down]],
-        segments: vec![[0, 1], [2, 0], [1, 2]],
-        segment_tags: vec![1, 2, 3],
-        ..Pslg::default()
-    };
-    let mut mesh = Mesh { points: pslg.points.clone(), ..Mesh::default() };
-    let mut rungs = vec![[0, 0]];
-    for &r in &radii[..radii.len() - 1] {
-        let v = mesh.points.len() as u32;
-        mesh.points.extend([[r, r * up], [r, r * down]]);
-        rungs.push([v, v + 1]);
-    }
-    rungs.push([1, 2]);
-    for pair in rungs.windows(2) {
-        let ([a, b], [c, d]) = (pair[0], pair[1]);
-        let at = |v: u32| mesh.points[v as usize];
-        if a == b {
-            mesh.triangles.push([a, d, c]);
-        } else if in_circle(at(b), at(d), at(c), at(a)) > 0.0 {
-            mesh.triangles.extend([[a, b, d], [a, d, c]]);
-        } else {
-            mesh.triangles.extend([[b, d, c], [b, c, a]]);
-        }
-        mesh.edges.extend([[a, c], [d, b]]);
-        mesh.edge_tags.extend([1, 2]);
-        mesh.edge_segments.extend([0, 1]);
-    }
-    mesh.edges.push([1, 2]);
-    mesh.edge_tags.push(3);
-    mesh.edge_segments.push(2);
-    mesh.triangle_tags = vec![0; mesh.triangles.len()];
-    Subject { name: "wedge", pslg, mesh }
-}
-
-/// A block of 9 × 9 squares far from the origin, in metres.
-fn block(random: &mut Random) -> Subject {
-    let (x, y) = (431_200.5, 5_402_310.25);
-    let (right, top) = (x + 9.0 * 0.75, y + 9.0 * 0.75);
-    let pslg = Pslg {
-        points: vec![[x, y], [right, y], [right, top], [x, top], [x + 0.75, y + 1.5]],
-        segments: vec![[1, 0], [1, 2], [2, 3], [0, 3]],
-        segment_tags: vec![1, 1, 2, 2],
-        regions: vec![region([x + 1.0, y + 1.0], 20)],
-        ..Pslg::default()
-    };
-    let grid = Grid { columns: 9, rows: 9, corner: [x, y], step: 0.75, hole: None };
-    let mut mesh = grid.mesh(&pslg, random);
-    mesh.triangle_tags = vec![20; mesh.triangles.len()];
-    Subject { name: "block", pslg, mesh }
-}
-
-fn region(seed: Point, tag: i32) -> Region {
-    Region { seed, tag, attribute: f64::from(tag), max_area: None }
-}
-
-/// A grid of squares, each cut into two triangles.
-struct Grid {
-    columns: usize,
-    rows: usize,
-    corner: Point,
-    step: f64,
-    /// The square that is left out.
-    hole: Option<[usize; 2]>,
-}
-
-impl Grid {
-    /// Points on no segment are moved by up to a tenth of a square; then each square is cut
-    /// along the diagonal that is Delaunay.
-    fn mesh(&self, pslg: &Pslg, random: &mut Random) -> Mesh {
-        let mut mesh = Mesh { points: pslg.points.clone(), ..Mesh::default() };
-        let mut number = Vec::new();
-        for row in 0..=self.rows {
-            for column in 0..=self.columns {
-                let p = [
-                    self.corner[0] + column as f64 * self.step,
-                    self.corner[1] + row as f64 * self.step,
-                ];
-                let known = mesh.points.iter().position(|q| *q == p);
-                number.push(known.unwrap_or_else(|| {
-                    mesh.points.push(p);
-                    mesh.points.len() - 1
-                }) as u32);
-            }
-        }
-        self.list_edges(pslg, &mut mesh);
-        let mut fixed = vec![false; mesh.points.len()];
-        fixed[..pslg.points.len()].fill(true);
-        mesh.edges.iter().flatten().for_each(|&v| fixed[v as usize] = true);
-        for p in (0..mesh.points.len()).filter(|&v| !fixed[v]) {
-            mesh.points[p] = mesh.points[p].map(|x| x + 0.1 * self.step * random.signed());
-        }
-        let at = |column: usize, row: usize| number[row * (self.columns + 1) + column];
-        for row in 0..self.rows {
-            for column in (0..self.columns).filter(|&column| self.hole != Some([column, row])) {
-                let [a, b, c, d] = [
-                    at(column, row),
-                    at(column + 1, row),
-                    at(column + 1, row + 1),
-                    at(column, row + 1),
-                ];
-                let [p, q, r, s] = [a, b, c, d].map(|v| mesh.points[v as usize]);
-                let cut = if in_circle(p, q, r, s) > 0.0 {
-                    [[a, b, d], [b, c, d]]
-                } else {
-                    [[a, b, c], [a, c, d]]
-                };
-                mesh.triangles.extend(cut);
-            }
-        }
-        mesh
-    }
-
-    /// The pieces of the (level or upright) segments.
-    fn list_edges(&self, pslg: &Pslg, mesh: &mut Mesh) {
-        for (s, ends) in pslg.segments.iter().enumerate() {
-            let [a, b] = ends.map(|v| pslg.points[v as usize]);
-            let along = |p: &Point| (p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1]);
-            let mut on: Vec<u32> = (0..mesh.points.len() as u32)
-                .filter(|&v| {
-                    let p = mesh.points[v as usize];
-                    (0..2).all(|i| p[i] >= a[i].min(b[i]) && p[i] <= a[i].max(b[i]))
-                })
-                .collect();
-            on.sort_by(|v, w| {
-                along(&mesh.points[*v as usize]).total_cmp(&along(&mesh.points[*w as usize]))
-            });
-            for pair in on.windows(2) {
-                mesh.edges.push([pair[0], pair[1]]);
-                mesh.edge_tags.push(pslg.segment_tags[s]);
-                mesh.edge_segments.push(s as u32);
-            }
-        }
     }
 }
