@@ -71,8 +71,10 @@ fn output_order(refinement: &Refinement, domain_points: &[u32]) -> Vec<u32> {
             used[v as usize] = true;
         }
     }
-    let mut inputs: Vec<u32> = (0..domain_points.len() as u32).collect();
-    inputs.sort_unstable_by_key(|&v| domain_points[v as usize]);
+    let mut inputs = vec![0; domain_points.len()];
+    for (v, &point) in (0..).zip(domain_points) {
+        inputs[point as usize] = v;
+    }
     let others = domain_points.len() as u32..refinement.mesh.points.len() as u32;
     inputs.into_iter().chain(others).filter(|&v| used[v as usize]).collect()
 }

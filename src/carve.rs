@@ -11,51 +11,61 @@ use crate::triangulation::{Edge, OUTSIDE_THE_REGION, Triangle, Triangulation};
 /// within the whole hull the others stay, [`OUTSIDE_THE_REGION`].
 #[must_use]
 pub fn carve(initial: Initial, domain: &Domain) -> Triangulation {
-    let faces = faces_of_triangles(&initial, domain);
-    let region = |&face: &u32| match domain.faces.region(face) {
+    let region = |face: u32| match domain.faces.region(face) {
         _ if !domain.faces.is_meshed(face) => OUTSIDE_THE_REGION,
         None => 0,
         Some(region) => region + 1,
     };
-    let regions = faces.iter().map(region).collect();
+    let mut regions = faces_of_triangles(&initial, domain);
+    regions.iter_mut().for_each(|of_triangle| *of_triangle = region(*of_triangle));
     if domain.region == Region::Global {
         return Triangulation::new(initial.points, initial.triangles, regions);
     }
-    meshed(initial.points, &initial.triangles, &regions)
+    meshed(initial.points, initial.triangles, regions)
 }
 
 /// Takes out what is not meshed.
 #[must_use]
 pub fn without_the_outside(whole: Triangulation) -> Triangulation {
-    meshed(whole.points, &whole.triangles, &whole.regions)
+    meshed(whole.points, whole.triangles, whole.regions)
 }
 
-fn meshed(points: Vec<[f64; 2]>, triangles: &[Triangle], regions: &[u32]) -> Triangulation {
-    let is_kept = |&slot: &usize| regions[slot] != OUTSIDE_THE_REGION;
-    let kept: Vec<usize> = (0..triangles.len()).filter(is_kept).collect();
-    let regions: Vec<u32> = kept.iter().map(|&slot| regions[slot]).collect();
-    let any_region = regions.iter().any(|&region| region != 0);
-    let regions = if any_region { regions } else { Vec::new() };
-    Triangulation::new(points, renumbered(triangles, &kept), regions)
+fn meshed(
+    points: Vec<[f64; 2]>,
+    mut triangles: Vec<Triangle>,
+    mut regions: Vec<u32>,
+) -> Triangulation {
+    if regions.contains(&OUTSIDE_THE_REGION) {
+        keep(&mut triangles, |slot| regions[slot] != OUTSIDE_THE_REGION);
+        regions.retain(|&region| region != OUTSIDE_THE_REGION);
+    }
+    if regions.iter().all(|&region| region == 0) {
+        regions = Vec::new();
+    }
+    Triangulation::new(points, triangles, regions)
 }
 
 /// The face of the domain that each triangle lies in: floods from the sides of every segment and
 /// from the open edges of the hull.
 pub fn faces_of_triangles(initial: &Initial, domain: &Domain) -> Vec<u32> {
-    let mut faces = vec![None; initial.triangles.len()];
+    let mut flood = Flood::over(&initial.triangles);
     for &slot in &initial.open {
-        flood(&initial.triangles, slot, OUTSIDE, &mut faces);
+        flood.from(slot, OUTSIDE);
     }
-    for (slot, triangle) in initial.triangles.iter().enumerate() {
+    for (slot, triangle) in (0..).zip(&initial.triangles) {
+        if flood.has_reached(slot) {
+            continue;
+        }
         let constrained = (0..3).filter(|&i| triangle.neighbors[i].is_constrained());
         for i in constrained {
             let ends = [next(i), previous(i)].map(|j| triangle.vertices[j]);
             if let Some(face) = face_to_the_left(domain, initial, ends) {
-                flood(&initial.triangles, slot as u32, face, &mut faces);
+                flood.from(slot, face);
             }
         }
     }
-    faces.into_iter().map(|face| face.unwrap_or(OUTSIDE)).collect()
+    flood.faces.iter_mut().filter(|face| **face == UNKNOWN).for_each(|face| *face = OUTSIDE);
+    flood.faces
 }
 
 /// The face to the left of the segment from one vertex to another; `None` if there is none.
@@ -75,34 +85,58 @@ fn face_to_the_left(domain: &Domain, initial: &Initial, ends: [u32; 2]) -> Optio
     })
 }
 
-/// Gives a face to every triangle that is reached from `seed` without crossing a segment.
-fn flood(triangles: &[Triangle], seed: u32, face: u32, faces: &mut [Option<u32>]) {
-    let mut stack = vec![seed];
-    while let Some(slot) = stack.pop() {
-        if faces[slot as usize].is_none() {
-            faces[slot as usize] = Some(face);
-            let across = triangles[slot as usize].neighbors.iter();
-            stack.extend(across.filter(|edge| !edge.is_constrained()).map(|edge| edge.triangle()));
+/// A face that is not known yet.
+const UNKNOWN: u32 = u32::MAX;
+
+/// Gives faces to triangles that are reached without crossing a segment.
+struct Flood<'a> {
+    triangles: &'a [Triangle],
+    faces: Vec<u32>,
+    stack: Vec<u32>,
+}
+
+impl<'a> Flood<'a> {
+    fn over(triangles: &'a [Triangle]) -> Self {
+        Self { triangles, faces: vec![UNKNOWN; triangles.len()], stack: Vec::new() }
+    }
+
+    fn has_reached(&self, slot: u32) -> bool {
+        self.faces[slot as usize] != UNKNOWN
+    }
+
+    /// Gives a face to what is reached from `seed` and has none.
+    fn from(&mut self, seed: u32, face: u32) {
+        if !self.has_reached(seed) {
+            self.faces[seed as usize] = face;
+            self.stack.push(seed);
+        }
+        while let Some(slot) = self.stack.pop() {
+            let across = self.triangles[slot as usize].neighbors;
+            for edge in across.into_iter().filter(|edge| !edge.is_constrained()) {
+                if !self.has_reached(edge.triangle()) {
+                    self.faces[edge.triangle() as usize] = face;
+                    self.stack.push(edge.triangle());
+                }
+            }
         }
     }
 }
 
-/// The triangles in the slots that are `kept`, with nothing behind those that are not.
-fn renumbered(triangles: &[Triangle], kept: &[usize]) -> Vec<Triangle> {
-    let mut moved = vec![None; triangles.len()];
-    for (new, &old) in kept.iter().enumerate() {
-        moved[old] = Some(new as u32);
-    }
-    let renumber = |edge: Edge| {
-        let slot = if edge.is_outside() { None } else { moved[edge.triangle() as usize] };
-        slot.map_or(Edge::OUTSIDE, |slot| {
-            Edge::new(slot, edge.index()).constrained_if(edge.is_constrained())
-        })
+/// Keeps some triangles, in their order, with nothing behind their edges to the others.
+fn keep(triangles: &mut Vec<Triangle>, is_kept: impl Fn(usize) -> bool) {
+    let mut count = 0..;
+    let moved = (0..triangles.len()).map(|slot| is_kept(slot).then(|| count.next()).flatten());
+    let moved: Vec<u32> = moved.map(|slot| slot.unwrap_or(u32::MAX)).collect();
+    let renumber = |edge: Edge| match edge.is_outside() {
+        true => edge,
+        false => match moved[edge.triangle() as usize] {
+            u32::MAX => Edge::OUTSIDE,
+            slot => Edge::new(slot, edge.index()).constrained_if(edge.is_constrained()),
+        },
     };
-    kept.iter()
-        .map(|&slot| {
-            let Triangle { vertices, neighbors } = triangles[slot];
-            Triangle { vertices, neighbors: each(neighbors, renumber) }
-        })
-        .collect()
+    let mut slots = 0..;
+    triangles.retain_mut(|triangle| {
+        triangle.neighbors = each(triangle.neighbors, renumber);
+        slots.next().is_some_and(&is_kept)
+    });
 }

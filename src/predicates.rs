@@ -88,11 +88,15 @@ impl Relative {
     }
 }
 
-/// Whether `p` lies strictly inside the circle through the counter-clockwise `corners`, which
-/// stand in `seen` as seen from `p`.
+/// Whether `p` lies strictly inside the circle through three counter-clockwise `corners`, which
+/// stand in `seen` as seen from `p`. Only where rounding leaves that open are they asked for.
 #[inline]
 #[must_use]
-pub fn in_circle(seen: [Relative; 3], corners: [[f64; 2]; 3], p: [f64; 2]) -> bool {
+pub fn in_circle(
+    seen: [Relative; 3],
+    corners: impl FnOnce() -> [[f64; 2]; 3],
+    p: [f64; 2],
+) -> bool {
     let [a, b, c] = seen;
     let determinant = a.squared * b.cross(c) + b.squared * c.cross(a) + c.squared * a.cross(b);
     // The bound of DESIGN, *Kernel*: 10 ε times the sum of the products of squared lengths.
@@ -100,16 +104,26 @@ pub fn in_circle(seen: [Relative; 3], corners: [[f64; 2]; 3], p: [f64; 2]) -> bo
     if determinant.abs() > 1.12e-15 * size {
         return determinant > 0.0;
     }
+    is_in_circle_exactly(corners(), p)
+}
+
+#[cold]
+#[inline(never)]
+fn is_in_circle_exactly(corners: [[f64; 2]; 3], p: [f64; 2]) -> bool {
     count_exact();
     let [a, b, c] = corners.map(coord);
     robust::incircle(a, b, c, coord(p)) > 0.0
 }
 
 /// Whether `p`, the point from which `a` and `b` are `seen`, lies strictly to the left of the
-/// directed line from `a` to `b` (`ends`).
+/// directed line from `a` to `b` (`ends`, asked for where rounding leaves it open).
 #[inline]
 #[must_use]
-pub fn sees_left(seen: [Relative; 2], ends: [[f64; 2]; 2], p: [f64; 2]) -> bool {
+pub fn sees_left(
+    seen: [Relative; 2],
+    ends: impl FnOnce() -> [[f64; 2]; 2],
+    p: [f64; 2],
+) -> bool {
     let [a, b] = seen;
     let (plus, minus) = (a.x * b.y, a.y * b.x);
     let cross = plus - minus;
@@ -117,8 +131,14 @@ pub fn sees_left(seen: [Relative; 2], ends: [[f64; 2]; 2], p: [f64; 2]) -> bool 
     if cross.abs() > 3.331e-16 * (plus.abs() + minus.abs()) {
         return cross > 0.0;
     }
+    is_left_exactly(ends(), p)
+}
+
+#[cold]
+#[inline(never)]
+fn is_left_exactly([a, b]: [[f64; 2]; 2], p: [f64; 2]) -> bool {
     count_exact();
-    side(ends[0], ends[1], p) == Side::Left
+    side(a, b, p) == Side::Left
 }
 
 /// Whether `p` encroaches the subsegment `ends`: lies strictly inside its diametral circle,
@@ -156,7 +176,7 @@ mod tests {
     use super::*;
 
     fn inside(a: [f64; 2], b: [f64; 2], c: [f64; 2], p: [f64; 2]) -> bool {
-        in_circle([a, b, c].map(|v| Relative::of(v, p)), [a, b, c], p)
+        in_circle([a, b, c].map(|v| Relative::of(v, p)), || [a, b, c], p)
     }
 
     fn encroached(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> bool {

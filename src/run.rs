@@ -17,6 +17,7 @@ use crate::refine::sizing::Sizing;
 use crate::refine::thin::{Thinned, thin};
 use crate::refine::trace::{Event, Listener, Names};
 use crate::refine::{End, Progress, Refinement, refine};
+use crate::statistics::Statistics;
 use crate::triangulation::initial::{self, triangulate};
 use crate::{Mesh, Parameters, Pslg, Region, Thinning};
 
@@ -26,6 +27,8 @@ use crate::{Mesh, Parameters, Pslg, Region, Thinning};
 pub struct Outcome {
     /// The mesh.
     pub mesh: Mesh,
+    /// Its counts and angles.
+    pub statistics: Statistics,
     /// What the judge, who shares no code with the refinement, found; nothing unless
     /// [`Parameters::judged`].
     pub certificate: Certificate,
@@ -235,6 +238,7 @@ fn run(
         counters: Counters { exact, ..refinement.counters },
         thinned,
         introduced: introductions.map(|&it| names.introduction(it)).collect(),
+        statistics: Statistics::of_refined(&mesh, &refinement.mesh, domain.scale_exponent),
         certificate: judge(pslg, &mesh, parameters),
         mesh,
         smallest_input_angle: InputAngle::smallest(&domain),

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use meshwright_formats::{Group, Mesh, Provenance, Tag};
 
 use crate::corners::each;
+use crate::triangulation::Triangulation;
 
 mod quality;
 
@@ -67,10 +68,21 @@ impl Statistics {
     /// counted, not measured.
     #[must_use]
     pub fn of(mesh: &Mesh) -> Self {
-        let mut angles = Angles::new(mesh);
-        for &triangle in &mesh.triangles {
-            angles.measure(triangle);
+        Self::with(mesh, &mesh.points, mesh.triangles.iter().copied())
+    }
+
+    /// [`Statistics::of`] a mesh that was assembled from a triangulation: the triangles are the
+    /// same, but there their corners are near each other in memory.
+    pub(crate) fn of_refined(mesh: &Mesh, refined: &Triangulation, scale_exponent: i32) -> Self {
+        match scale_exponent {
+            0 => Self::with(mesh, &refined.points, refined.triangles.iter().map(|t| t.vertices)),
+            _ => Self::of(mesh),
         }
+    }
+
+    fn with(mesh: &Mesh, points: &[[f64; 2]], triangles: impl Iterator<Item = [u32; 3]>) -> Self {
+        let mut angles = Angles::new(points);
+        triangles.for_each(|triangle| angles.measure(triangle));
         Self {
             points: mesh.points.len(),
             kinds: kinds(mesh),
@@ -91,7 +103,7 @@ impl Statistics {
 #[must_use]
 pub fn smallest_angle_but(mesh: &Mesh, excused: impl IntoIterator<Item = (u32, [u32; 2])>) -> f64 {
     let mut excused = excused.into_iter().peekable();
-    let angles = Angles::new(mesh);
+    let angles = Angles::new(&mesh.points);
     let mut largest_cotangent = f64::NEG_INFINITY;
     for (t, triangle) in mesh.triangles.iter().enumerate() {
         let Some(cotangents) = angles.cotangents(*triangle) else { continue };
@@ -162,12 +174,12 @@ struct Angles<'a> {
 }
 
 impl<'a> Angles<'a> {
-    fn new(mesh: &'a Mesh) -> Self {
-        let largest = mesh.points.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    fn new(points: &'a [[f64; 2]]) -> Self {
+        let largest = points.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
         let exponent = if largest > 0.0 && largest.is_finite() { -libm::ilogb(largest) } else { 0 };
         let bound = |i: usize| 1.0 / libm::tan((5.0 * (i + 1) as f64).to_radians());
         Self {
-            points: &mesh.points,
+            points,
             // Within ±100 nothing happens to products of two lengths.
             exponent: if exponent.abs() <= 100 { 0 } else { exponent },
             bounds: std::array::from_fn(bound),
@@ -187,10 +199,14 @@ impl<'a> Angles<'a> {
         let (steepest, flattest) = (a.max(b).max(c), a.min(b).min(c));
         self.largest_cotangent = self.largest_cotangent.max(steepest);
         self.smallest_cotangent = self.smallest_cotangent.min(flattest);
-        let bin = |cotangent: f64| self.bounds.partition_point(|&bound| cotangent <= bound);
-        let (smallest, largest) = (bin(steepest).min(11), bin(flattest).clamp(12, 35) - 12);
-        self.smallest_angles[smallest] += 1;
-        self.largest_angles[largest] += 1;
+        // The smallest angle is at most 60°, the largest at least. (Counted without a branch: a
+        // search would guess wrong half of the time.)
+        let (to_sixty, from_sixty) = self.bounds.split_at(11);
+        let above = |bounds: &[f64], cotangent: f64| -> usize {
+            bounds.iter().map(|&bound| usize::from(cotangent <= bound)).sum()
+        };
+        self.smallest_angles[above(to_sixty, steepest)] += 1;
+        self.largest_angles[above(&from_sixty[1..], flattest)] += 1;
     }
 
     /// The cotangents of a triangle's angles, or nothing where a corner does not exist.
@@ -199,12 +215,13 @@ impl<'a> Angles<'a> {
         Some(cotangents([a, b, c], cross(difference(b, a), difference(c, a))))
     }
 
+    #[inline]
     fn corners(&self, triangle: [u32; 3]) -> Option<[[f64; 2]; 3]> {
-        let corner = |i: u32| self.points.get(i as usize).map(|p| self.scaled(*p));
-        let [a, b, c] = each(triangle, corner);
-        Some([a?, b?, c?])
+        let [a, b, c] = each(triangle, |i| self.points.get(i as usize).copied());
+        Some(each([a?, b?, c?], |corner| self.scaled(corner)))
     }
 
+    #[inline]
     fn scaled(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         match self.exponent {
             0 => [x, y],
@@ -248,9 +265,13 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// a × b, to the last bit or two also where the products nearly cancel (Kahan).
+/// a × b, to the last bits also where the products nearly cancel (Kahan).
 fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     let product = a[1] * b[0];
+    let rounded = a[0] * b[1] - product;
+    if rounded.abs() > 0.125 * product.abs() {
+        return rounded;
+    }
     let error = (-a[1]).mul_add(b[0], product);
     a[0].mul_add(b[1], -product) + error
 }

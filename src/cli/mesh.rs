@@ -119,7 +119,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
             pslg,
             mended: &mended,
             outcome: &outcome,
-            statistics: &summary.statistics,
+            statistics: summary.statistics,
             parameters: &parameters,
             written: &written,
             warnings: voice.warnings(),

@@ -23,13 +23,13 @@ pub struct Summary<'a> {
     outcome: &'a Outcome,
     soft_angle: Option<MinAngle>,
     /// The mesh's counts and angles.
-    pub statistics: Statistics,
+    pub statistics: &'a Statistics,
 }
 
 impl<'a> Summary<'a> {
     /// Counts what will be said.
     pub fn new(pslg: &'a Pslg, outcome: &'a Outcome, soft_angle: Option<MinAngle>) -> Self {
-        Self { pslg, outcome, soft_angle, statistics: Statistics::of(&outcome.mesh) }
+        Self { pslg, outcome, soft_angle, statistics: &outcome.statistics }
     }
 
     /// From the outline to the certificate.
@@ -37,7 +37,7 @@ impl<'a> Summary<'a> {
         if voice.quiet {
             return;
         }
-        let (pslg, statistics) = (self.pslg, &self.statistics);
+        let (pslg, statistics) = (self.pslg, self.statistics);
         say(voice, "outline", &format!("{name}: {}", outline_counts(pslg)));
         if let Some(text) = self.smallest_input_angle() {
             say(voice, "", &text);

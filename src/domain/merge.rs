@@ -2,7 +2,7 @@
 //! segments given twice.
 
 use super::error::{Item, Kind, Warning};
-use super::lexicographic_order;
+use super::in_columns;
 use crate::Pslg;
 
 /// The distinct points of an outline.
@@ -19,17 +19,19 @@ pub struct Points {
 
 /// Merges points with equal coordinates (−0 equals 0).
 pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -> Points {
-    let order = lexicographic_order(&scaled);
-    // `first[i]`: the first input point with the coordinates of `i`.
-    let mut first: Vec<u32> = (0..scaled.len() as u32).collect();
-    for pair in order.windows(2) {
-        if scaled[pair[0] as usize] == scaled[pair[1] as usize] {
-            first[pair[1] as usize] = first[pair[0] as usize];
-        }
+    let placed = in_columns(&scaled);
+    let duplicates = duplicates(&scaled, &placed);
+    let order = placed.into_iter().map(|placed| placed as u32);
+    let all = 0..scaled.len() as u32;
+    if duplicates.is_empty() {
+        let order = order.collect();
+        return Points { points: scaled, input: all.clone().collect(), distinct: all.collect(), order };
     }
+
+    let mut first: Vec<u32> = all.collect();
+    duplicates.iter().for_each(|&[same, index]| first[index as usize] = same);
     let mut merged =
         Points { points: Vec::new(), input: Vec::new(), distinct: Vec::new(), order: Vec::new() };
-    let mut duplicates = Vec::new();
     for (index, &same) in (0..).zip(&first) {
         if same == index {
             merged.distinct.push(merged.input.len() as u32);
@@ -37,21 +39,32 @@ pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -
             merged.points.push(scaled[index as usize]);
         } else {
             merged.distinct.push(merged.distinct[same as usize]);
-            duplicates.push([same, index]);
         }
     }
-    merged.order = order
-        .into_iter()
-        .filter(|&index| first[index as usize] == index)
-        .map(|index| merged.distinct[index as usize])
-        .collect();
-    if !duplicates.is_empty() {
-        warnings.push(Warning::DuplicatePoints {
-            count: duplicates.len(),
-            first: pairs(pslg, Kind::Point, &duplicates),
-        });
-    }
+    let distinct = order.filter(|&index| first[index as usize] == index);
+    merged.order = distinct.map(|index| merged.distinct[index as usize]).collect();
+    warnings.push(Warning::DuplicatePoints {
+        count: duplicates.len(),
+        first: pairs(pslg, Kind::Point, &duplicates),
+    });
     merged
+}
+
+/// The points that are there already, each with the first that is like it, by their own numbers.
+fn duplicates(points: &[[f64; 2]], placed: &[u64]) -> Vec<[u32; 2]> {
+    let mut found: Vec<[u32; 2]> = Vec::new();
+    for pair in placed.windows(2).filter(|pair| pair[0] >> 32 == pair[1] >> 32) {
+        let [before, index] = [pair[0] as u32, pair[1] as u32];
+        if points[before as usize] == points[index as usize] {
+            let same = match found.last() {
+                Some(&[same, last]) if last == before => same,
+                _ => before,
+            };
+            found.push([same, index]);
+        }
+    }
+    found.sort_unstable_by_key(|&[_, index]| index);
+    found
 }
 
 /// The target size at each of `count` distinct points: the smallest of those that were merged.

@@ -26,8 +26,9 @@ pub fn scale_exponent(pslg: &Pslg) -> Result<i32, Error> {
     }
     let exponent = exponent(largest);
     let scale = if exponent.abs() > UNSCALED { exponent } else { 0 };
+    let smallest = smallest(scale);
     for (index, point) in (0..).zip(&pslg.points) {
-        if let Some(&coordinate) = point.iter().find(|&&c| is_too_small(c, scale)) {
+        if let Some(&coordinate) = point.iter().find(|&&c| c != 0.0 && c.abs() < smallest) {
             let item = Item::new(pslg, Kind::Point, index);
             return Err(Error::TooSmall { item: Box::new(item), coordinate, largest });
         }
@@ -37,13 +38,21 @@ pub fn scale_exponent(pslg: &Pslg) -> Result<i32, Error> {
 
 /// Whether a coordinate × 2^−`scale` is too close to zero for exact arithmetic.
 pub fn is_too_small(coordinate: f64, scale: i32) -> bool {
-    coordinate != 0.0 && exponent(coordinate) - scale < SMALLEST
+    coordinate != 0.0 && coordinate.abs() < smallest(scale)
+}
+
+/// The smallest coordinate that is not.
+fn smallest(scale: i32) -> f64 {
+    libm::scalbn(1.0, SMALLEST + scale)
 }
 
 /// `point` × 2^−`exponent`. Exact for points of the outline; a seed far outside of it may
 /// become infinite or zero.
 pub fn scaled([x, y]: [f64; 2], exponent: i32) -> [f64; 2] {
-    [libm::scalbn(x, -exponent), libm::scalbn(y, -exponent)]
+    match exponent {
+        0 => [x, y],
+        _ => [libm::scalbn(x, -exponent), libm::scalbn(y, -exponent)],
+    }
 }
 
 /// The exponent `e` of `|x|` = m·2^e, 1 ≤ m < 2; 0 for zero.

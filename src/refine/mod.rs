@@ -253,8 +253,8 @@ impl<'a> Refinement<'a> {
     /// queue themselves.
     fn tiles(&self) -> Vec<std::ops::Range<u32>> {
         let all = self.mesh.triangles.len() as u32;
-        let bad = (0..all).filter(|&slot| self.trigger(slot).is_some()).count();
-        if bad <= ONE_TILE {
+        let bad = (0..all).filter(|&slot| self.trigger(slot).is_some());
+        if bad.take(ONE_TILE + 1).count() <= ONE_TILE {
             return std::iter::once(0..all).collect();
         }
         let starts = (0..all).step_by(TILE);
@@ -263,11 +263,10 @@ impl<'a> Refinement<'a> {
 
     fn queue_if_bad(&mut self, slot: u32) {
         if let Some(trigger) = self.trigger(slot) {
-            let sine = trigger.angle.sine();
             let vertices = self.mesh.triangles[slot as usize].vertices;
             let entry = Entry { slot, newest: vertices[0] };
             if !self.introduced.as_mut().is_some_and(|those| those.lets_wait(entry, vertices)) {
-                self.queue.push(self.order.bucket(trigger.squared, sine * sine), entry);
+                self.queue.push(self.order.bucket(trigger), entry);
             }
         }
     }

@@ -14,7 +14,14 @@ pub fn may_be_small(a: Relative, b: Relative, kappa: MinAngle) -> bool {
     // |·||·|cos of the three angles: all have the same |·||·|sin, so the largest is the smallest
     // angle's.
     let largest = dot.max(a.squared - dot).max(b.squared - dot);
-    kappa.denominator * (cross * cross) <= (kappa.numerator * 1.000_000_1) * (largest * largest)
+    may_be_below(cross, largest, kappa)
+}
+
+/// Whether an angle may be below κ̂, by its rounded sine and cosine up to a common factor.
+#[inline]
+fn may_be_below(cross: f64, dot: f64, kappa: MinAngle) -> bool {
+    dot > 0.0
+        && kappa.denominator * (cross * cross) <= (kappa.numerator * 1.000_000_1) * (dot * dot)
 }
 
 /// The angle for whose sake a triangle is removed.
@@ -42,6 +49,11 @@ pub fn trigger(
 ) -> Option<Trigger> {
     // The largest angle is at least 60°: it is never small.
     edges_by_length(corners)[..2].iter().find_map(|&(edge, squared)| {
+        let seen = |i: usize| Relative::of(corners[i], corners[edge]);
+        let (p, q) = (seen(next(edge)), seen(previous(edge)));
+        if !may_be_below(p.cross(q), p.dot(q), kappa) {
+            return None;
+        }
         let angle = Angle::at(corners[edge], corners[next(edge)], corners[previous(edge)]);
         let bad = angle.is_below(kappa) && !excused(edge, angle);
         bad.then_some(Trigger { edge, squared, angle, only_size: false })

@@ -1,6 +1,8 @@
 //! The queue of bad triangles: as good as a heap, at the price of an array.
 
-use std::collections::VecDeque;
+use std::mem;
+
+use super::quality::Trigger;
 
 /// A bad triangle by its slot and its newest vertex: a slot that was reused since has another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,56 +30,106 @@ impl Order {
     /// Choice: over 40 turned copies of Lake Superior this gives 963 points in the middle, a
     /// factor of 2^(1/4) gives 965 with a wider spread, 2^(1/2) gives 972.
     #[must_use]
-    pub fn bucket(self, squared_length: f64, squared_sine: f64) -> usize {
+    pub fn bucket(self, trigger: Trigger) -> usize {
         match self {
-            // The exponent and the first three bits of the mantissa.
-            Self::ShortestEdge => (squared_length.to_bits() >> 49) as usize & (BUCKETS - 1),
-            // Eight bits of the exponent, from 2^-255, and six of the mantissa.
+            Self::ShortestEdge => by_length(trigger.squared),
             Self::SmallestAngle => {
-                let lowest = (1023 - 255) << 6;
-                let bits = (squared_sine.to_bits() >> 46) as i64;
-                (bits - lowest).clamp(0, BUCKETS as i64 - 1) as usize
+                let sine = trigger.angle.sine();
+                by_sine(sine * sine)
             }
         }
     }
 }
 
-const BUCKETS: usize = 1 << 14;
+/// The exponent and the first three bits of the mantissa.
+fn by_length(squared: f64) -> usize {
+    (squared.to_bits() >> 49) as usize & (BUCKETS - 1)
+}
 
-/// Buckets of entries, first in first out.
+/// Eight bits of the exponent, from 2^-255, and six of the mantissa.
+fn by_sine(squared: f64) -> usize {
+    let lowest = (1023 - 255) << 6;
+    let bits = (squared.to_bits() >> 46) as i64;
+    (bits - lowest).clamp(0, BUCKETS as i64 - 1) as usize
+}
+
+const BUCKETS: usize = 1 << 14;
+/// No place.
+const NONE: u32 = u32::MAX;
+
+/// Buckets of entries, first in first out: lists through one array, so that what is used of it
+/// stays in the cache.
 #[derive(Debug)]
 pub struct Queue {
-    buckets: Vec<VecDeque<Entry>>,
+    /// Each entry and the place of the one that came after it; a place that is free leads to the
+    /// next free one.
+    places: Vec<(Entry, u32)>,
+    free: u32,
+    /// The places of each bucket's first and last entry.
+    ends: Vec<[u32; 2]>,
     /// One bit per bucket that is not empty.
     filled: [u64; BUCKETS / 64],
+    /// No word before this one of `filled` has a bit.
+    lowest: usize,
     length: usize,
 }
 
 impl Default for Queue {
     fn default() -> Self {
-        let buckets = (0..BUCKETS).map(|_| VecDeque::new()).collect();
-        Self { buckets, filled: [0; BUCKETS / 64], length: 0 }
+        Self {
+            places: Vec::new(),
+            free: NONE,
+            ends: vec![[NONE; 2]; BUCKETS],
+            filled: [0; BUCKETS / 64],
+            lowest: 0,
+            length: 0,
+        }
     }
 }
 
 impl Queue {
     /// Puts an entry into a bucket.
     pub fn push(&mut self, bucket: usize, entry: Entry) {
-        self.buckets[bucket].push_back(entry);
+        let place = self.place(entry);
+        let [first, last] = &mut self.ends[bucket];
+        match *last {
+            NONE => *first = place,
+            last => self.places[last as usize].1 = place,
+        }
+        *last = place;
         self.filled[bucket / 64] |= 1 << (bucket % 64);
+        self.lowest = self.lowest.min(bucket / 64);
         self.length += 1;
+    }
+
+    /// A place for an entry after which none came.
+    fn place(&mut self, entry: Entry) -> u32 {
+        let place = self.free;
+        if place == NONE {
+            self.places.push((entry, NONE));
+            return self.places.len() as u32 - 1;
+        }
+        self.free = mem::replace(&mut self.places[place as usize], (entry, NONE)).1;
+        place
     }
 
     /// Takes the oldest entry of the first bucket that is not empty.
     pub fn pop(&mut self) -> Option<Entry> {
-        let word = self.filled.iter().position(|&word| word != 0)?;
-        let bucket = word * 64 + self.filled[word].trailing_zeros() as usize;
-        let entry = self.buckets[bucket].pop_front();
-        if self.buckets[bucket].is_empty() {
-            self.filled[word] &= !(1 << (bucket % 64));
+        let words = &self.filled[self.lowest..];
+        self.lowest += words.iter().position(|&word| word != 0).unwrap_or(words.len());
+        let word = *self.filled.get(self.lowest)?;
+        let bucket = self.lowest * 64 + word.trailing_zeros() as usize;
+        let [first, last] = &mut self.ends[bucket];
+        let place = *first;
+        let (entry, after) = &mut self.places[place as usize];
+        *first = mem::replace(after, self.free);
+        self.free = place;
+        if *first == NONE {
+            *last = NONE;
+            self.filled[self.lowest] &= word - 1;
         }
         self.length -= 1;
-        entry
+        Some(*entry)
     }
 
     /// How many entries there are, stale ones included.
@@ -116,7 +168,7 @@ mod tests {
     fn a_shorter_edge_is_in_no_later_bucket() {
         let mut last = 0;
         for i in -400..400 {
-            let bucket = Order::ShortestEdge.bucket(2f64.powf(f64::from(i) / 4.0), 0.0);
+            let bucket = by_length(2f64.powf(f64::from(i) / 4.0));
             assert!(bucket >= last);
             last = bucket;
         }
@@ -126,7 +178,7 @@ mod tests {
     fn a_smaller_angle_is_in_no_later_bucket() {
         let mut last = 0;
         for i in -700..=0 {
-            let bucket = Order::SmallestAngle.bucket(0.0, 2f64.powf(f64::from(i) / 10.0));
+            let bucket = by_sine(2f64.powf(f64::from(i) / 10.0));
             assert!(bucket >= last);
             last = bucket;
         }

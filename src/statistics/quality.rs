@@ -30,7 +30,7 @@ impl Quality {
     /// ```
     #[must_use]
     pub fn of(mesh: &Mesh) -> Self {
-        let angles = Angles::new(mesh);
+        let angles = Angles::new(&mesh.points);
         let mut quality = Self::default();
         for &triangle in &mesh.triangles {
             let measured = match angles.corners(triangle) {

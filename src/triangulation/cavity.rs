@@ -5,7 +5,7 @@
 //! encroach a subsegment, or must not be committed at all, is read off the boundary.
 
 use super::insertion::{beyond_hull, ghost_corner};
-use super::{Edge, OUTSIDE_THE_REGION, Triangulation};
+use super::{Edge, OUTSIDE_THE_REGION, Triangle, Triangulation};
 use crate::corners::{each, next, previous};
 use crate::predicates::{self, Relative};
 
@@ -61,15 +61,11 @@ pub struct Cavity {
     pub star: Vec<u32>,
     /// Of a split subsegment: where the second side's boundary starts (its length if there is none).
     second_side: Option<usize>,
+    /// Whether any edge of the boundary is constrained.
+    is_constrained: bool,
     regions: [u32; 2],
-    stack: Vec<Visit>,
-}
-
-/// An edge still to be looked across.
-#[derive(Debug, Clone, Copy)]
-struct Visit {
-    edge: Edge,
-    seen: [Relative; 2],
+    /// Edges still to be looked across.
+    stack: Vec<BoundaryEdge>,
 }
 
 impl Cavity {
@@ -86,11 +82,11 @@ impl Cavity {
         self.clear(point);
         let corners = mesh.corners(root);
         let seen = each(corners, |corner| Relative::of(corner, point));
-        if !predicates::in_circle(seen, corners, point) {
+        if !predicates::in_circle(seen, || corners, point) {
             return Err(Rejected::OutsideItsDisc);
         }
         self.begin_with(mesh, root, seen);
-        self.grow(mesh, |_| true, in_circle)?;
+        self.grow(mesh, |seen, vertices| in_circle(mesh, seen, vertices, point))?;
         self.expect_polygon(2)
     }
 
@@ -105,14 +101,13 @@ impl Cavity {
         self.clear(point);
         let seen = each(mesh.corners(root), |corner| Relative::of(corner, point));
         self.begin_with(mesh, root, seen);
-        self.grow(
-            mesh,
-            |_| true,
-            |seen, corners, point, vertices| match ghost_corner(vertices) {
-                None => predicates::in_circle(seen, corners, point),
-                Some(i) => beyond_hull([corners[next(i)], corners[previous(i)]], point),
-            },
-        )?;
+        self.grow(mesh, |seen, vertices| match ghost_corner(vertices) {
+            None => in_circle(mesh, seen, vertices, point),
+            Some(i) => {
+                let ends = [vertices[next(i)], vertices[previous(i)]];
+                beyond_hull(ends.map(|v| mesh.points[v as usize]), point)
+            }
+        })?;
         self.expect_polygon(2)
     }
 
@@ -151,7 +146,7 @@ impl Cavity {
         self.star.push(root);
         self.regions = [region(mesh, root); 2];
         for i in [2, 1, 0] {
-            self.visit_later(root, i, seen);
+            self.visit_later(mesh, root, i, seen);
         }
     }
 
@@ -161,6 +156,7 @@ impl Cavity {
         self.star.clear();
         self.stack.clear();
         self.second_side = None;
+        self.is_constrained = false;
     }
 
     /// Grows from the triangle to the left of `edge`, away from it.
@@ -170,49 +166,73 @@ impl Cavity {
         edge: Edge,
         stays: impl Fn([u32; 3]) -> bool,
     ) -> Result<(), Rejected> {
-        let root = edge.triangle();
-        let seen = each(mesh.corners(root), |corner| Relative::of(corner, self.point));
+        let (root, point) = (edge.triangle(), self.point);
+        let seen = each(mesh.corners(root), |corner| Relative::of(corner, point));
         self.star.push(root);
-        self.visit_later(root, previous(edge.index()), seen);
-        self.visit_later(root, next(edge.index()), seen);
-        self.grow(mesh, |vertices| !stays(vertices), in_circle)
+        self.visit_later(mesh, root, previous(edge.index()), seen);
+        self.visit_later(mesh, root, next(edge.index()), seen);
+        self.grow(mesh, |seen, vertices| !stays(vertices) && in_circle(mesh, seen, vertices, point))
     }
 
-    fn visit_later(&mut self, triangle: u32, i: usize, seen: [Relative; 3]) {
-        let seen = [seen[next(i)], seen[previous(i)]];
-        self.stack.push(Visit { edge: Edge::new(triangle, i), seen });
+    fn visit_later(&mut self, mesh: &Triangulation, triangle: u32, i: usize, seen: [Relative; 3]) {
+        let Triangle { vertices, neighbors } = mesh.triangles[triangle as usize];
+        self.stack.push(BoundaryEdge {
+            ends: [vertices[next(i)], vertices[previous(i)]],
+            behind: neighbors[i],
+            seen: [seen[next(i)], seen[previous(i)]],
+        });
     }
 
-    /// Takes in every triangle that may go, whose circumcircle strictly holds the point and that is
-    /// reached without crossing a subsegment.
+    /// Takes in every triangle that `goes` (asked with its corners, as seen and by their numbers)
+    /// and that is reached without crossing a subsegment.
+    #[inline(always)]
     fn grow(
         &mut self,
         mesh: &Triangulation,
-        may_go: impl Fn([u32; 3]) -> bool,
-        holds: impl Fn([Relative; 3], [[f64; 2]; 3], [f64; 2], [u32; 3]) -> bool,
+        goes: impl Fn([Relative; 3], [u32; 3]) -> bool,
     ) -> Result<(), Rejected> {
-        while let Some(Visit { edge, seen }) = self.stack.pop() {
-            let behind = mesh.behind(edge);
-            if !behind.is_constrained() {
-                let triangle = mesh.triangles[behind.triangle() as usize];
-                let corners = each(triangle.vertices, |v| mesh.points[v as usize]);
-                let apex = Relative::of(corners[behind.index()], self.point);
-                let mut all = [apex; 3];
-                all[next(behind.index())] = seen[1];
-                all[previous(behind.index())] = seen[0];
-                if may_go(triangle.vertices) && holds(all, corners, self.point, triangle.vertices) {
-                    self.star.push(behind.triangle());
-                    self.visit_later(behind.triangle(), previous(behind.index()), all);
-                    self.visit_later(behind.triangle(), next(behind.index()), all);
-                    if self.star.len() > mesh.triangles.len() {
-                        return Err(Rejected::Malformed);
-                    }
-                    continue;
+        while let Some(mut side) = self.stack.pop() {
+            while let Some([first, second]) = self.edges_beyond(mesh, side, &goes) {
+                self.star.push(side.behind.triangle());
+                if self.star.len() > mesh.triangles.len() {
+                    return Err(Rejected::Malformed);
                 }
+                self.stack.push(second);
+                side = first;
             }
-            self.boundary.push(BoundaryEdge { ends: mesh.ends(edge), behind, seen });
+            self.is_constrained |= side.behind.is_constrained();
+            self.boundary.push(side);
         }
         Ok(())
+    }
+
+    /// The other two edges of the triangle behind `side`, counter-clockwise, if that goes.
+    #[inline(always)]
+    fn edges_beyond(
+        &self,
+        mesh: &Triangulation,
+        side: BoundaryEdge,
+        goes: impl Fn([Relative; 3], [u32; 3]) -> bool,
+    ) -> Option<[BoundaryEdge; 2]> {
+        if side.behind.is_constrained() {
+            return None;
+        }
+        let triangle = &mesh.triangles[side.behind.triangle() as usize];
+        let i = side.behind.index();
+        let ([a, b], [seen_a, seen_b]) = (side.ends, side.seen);
+        let apex = triangle.vertices[i];
+        let seen = Relative::of(mesh.points[apex as usize], self.point);
+        goes([seen_b, seen_a, seen], [b, a, apex]).then(|| {
+            let edge = |ends, at: usize, seen| BoundaryEdge {
+                ends,
+                behind: triangle.neighbors[at],
+                seen,
+            };
+            [
+                edge([a, apex], next(i), [seen_a, seen]),
+                edge([apex, b], previous(i), [seen, seen_b]),
+            ]
+        })
     }
 
     /// k triangles that share no vertex inside and leave none out have `more` + k edges around
@@ -228,8 +248,7 @@ impl Cavity {
     /// [`Rejected::Unseen`].
     pub fn expect_visible(&self, mesh: &Triangulation) -> Result<(), Rejected> {
         let visible = self.boundary.iter().all(|side| {
-            let [a, b] = side.ends;
-            let ends = [mesh.points[a as usize], mesh.points[b as usize]];
+            let ends = || side.ends.map(|v| mesh.points[v as usize]);
             predicates::sees_left(side.seen, ends, self.point)
         });
         if visible { Ok(()) } else { Err(Rejected::Unseen) }
@@ -237,7 +256,8 @@ impl Cavity {
 
     /// The subsegments on the boundary.
     pub fn subsegments(&self) -> impl Iterator<Item = &BoundaryEdge> + '_ {
-        let sides = self.boundary.iter().enumerate();
+        let sides = if self.is_constrained { &self.boundary[..] } else { &[] };
+        let sides = sides.iter().enumerate();
         let subsegments = sides.filter(|(i, side)| {
             // With nothing on either side it is an edge of the hull only.
             let is_open = || side.behind.is_outside() && self.region(*i) == OUTSIDE_THE_REGION;
@@ -262,6 +282,18 @@ impl Cavity {
     #[must_use]
     pub fn nearest_squared(&self) -> f64 {
         self.boundary.iter().map(|side| side.seen[0].squared).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether any edge of the boundary is constrained.
+    #[inline]
+    pub(super) fn is_constrained(&self) -> bool {
+        self.is_constrained
+    }
+
+    /// Whether the point splits a subsegment.
+    #[inline]
+    pub(super) fn is_split(&self) -> bool {
+        self.second_side.is_some()
     }
 
     /// The joint of a split between boundary edge `i − 1` and edge `i`, if there is one.
@@ -294,8 +326,10 @@ impl Cavity {
     }
 }
 
-fn in_circle(seen: [Relative; 3], corners: [[f64; 2]; 3], p: [f64; 2], _: [u32; 3]) -> bool {
-    predicates::in_circle(seen, corners, p)
+/// Whether `point` lies strictly in the circle of a triangle of the mesh.
+#[inline(always)]
+fn in_circle(mesh: &Triangulation, seen: [Relative; 3], vertices: [u32; 3], p: [f64; 2]) -> bool {
+    predicates::in_circle(seen, || each(vertices, |v| mesh.points[v as usize]), p)
 }
 
 fn region(mesh: &Triangulation, triangle: u32) -> u32 {

@@ -251,7 +251,7 @@ impl Constraining<'_> {
             }
             let is_better = best.is_none_or(|best| {
                 let corners = [a, b, at(polygon[best])];
-                in_circle(corners.map(|corner| Relative::of(corner, v)), corners, v)
+                in_circle(corners.map(|corner| Relative::of(corner, v)), || corners, v)
             });
             if is_better {
                 best = Some(i);

@@ -4,6 +4,7 @@
 //! vertex is [`GHOST`], "at infinity": its circumcircle is the half-plane beyond the edge. So a
 //! point outside the hull is inserted like any other, and no edge is without a neighbour.
 
+use super::cavity::BoundaryEdge;
 use super::{Cavity, Edge, Rejected, Triangle, Triangulation};
 use crate::corners::{each, next, previous};
 use crate::predicates::{Relative, Side, sees_left, side};
@@ -86,22 +87,59 @@ impl Growing {
         if let Some(corner) = ghost_corner(self.mesh.triangles[slot as usize].vertices) {
             slot = self.mesh.triangles[slot as usize].neighbors[corner].triangle();
         }
-        loop {
-            let Triangle { vertices, neighbors } = self.mesh.triangles[slot as usize];
-            if ghost_corner(vertices).is_some() {
-                return slot;
-            }
-            let ends = each(vertices, |v| self.mesh.points[v as usize]);
-            let seen = each(ends, |end| Relative::of(end, point));
-            let beyond = (0..3).find(|&i| {
-                let (from, to) = (previous(i), next(i));
-                sees_left([seen[from], seen[to]], [ends[from], ends[to]], point)
-            });
-            match beyond {
-                Some(i) => slot = neighbors[i].triangle(),
-                None => return slot,
+        let Triangle { vertices, neighbors } = self.mesh.triangles[slot as usize];
+        let seen = each(vertices, |v| Relative::of(self.mesh.points[v as usize], point));
+        for i in 0..3 {
+            let [from, to] = [next(i), previous(i)];
+            let edge = BoundaryEdge {
+                ends: [vertices[from], vertices[to]],
+                behind: neighbors[i],
+                seen: [seen[from], seen[to]],
+            };
+            if self.is_beyond(edge, point) {
+                return self.walk(edge, point);
             }
         }
+        slot
+    }
+
+    /// Where the walk ends that is about to cross an edge.
+    fn walk(&self, mut across: BoundaryEdge, point: [f64; 2]) -> u32 {
+        loop {
+            let (slot, i) = (across.behind.triangle(), across.behind.index());
+            let Triangle { vertices, neighbors } = self.mesh.triangles[slot as usize];
+            let ([a, b], apex) = (across.ends, vertices[i]);
+            if ghost_corner([a, b, apex]).is_some() {
+                return slot;
+            }
+            let ([seen_a, seen_b], seen) =
+                (across.seen, Relative::of(self.mesh.points[apex as usize], point));
+            let first = BoundaryEdge {
+                ends: [a, apex],
+                behind: neighbors[next(i)],
+                seen: [seen_a, seen],
+            };
+            let second = BoundaryEdge {
+                ends: [apex, b],
+                behind: neighbors[previous(i)],
+                seen: [seen, seen_b],
+            };
+            across = if self.is_beyond(first, point) {
+                first
+            } else if self.is_beyond(second, point) {
+                second
+            } else {
+                return slot;
+            }
+        }
+    }
+
+    /// Whether a point lies beyond an edge, which has the triangle that was looked at on its left.
+    #[inline(always)]
+    fn is_beyond(&self, edge: BoundaryEdge, point: [f64; 2]) -> bool {
+        let ([from, to], [seen_from, seen_to]) = (edge.ends, edge.seen);
+        let ends = || [to, from].map(|v| self.mesh.points[v as usize]);
+        sees_left([seen_to, seen_from], ends, point)
     }
 }
 

@@ -199,23 +199,30 @@ impl Triangulation {
     /// triangle's neighbours in the star are the ones before and after it; where a subsegment was
     /// split its halves are the constrained edges at the joints of the two sides.
     fn link_star(&mut self, vertex: u32, cavity: &Cavity) {
-        let (star, last) = (&cavity.star, cavity.star.len() - 1);
-        for (i, side) in cavity.boundary.iter().enumerate() {
-            let slot = star[i];
-            let after = Edge::new(star[if i == last { 0 } else { i + 1 }], 2);
-            let before = Edge::new(star[if i == 0 { last } else { i - 1 }], 1);
-            let neighbors = [
-                side.behind,
-                cavity.joint_before(i + 1).map_or(after, |joint| joint.link(after)),
-                cavity.joint_before(i).map_or(before, |joint| joint.link(before)),
-            ];
+        let (star, count) = (&cavity.star[..cavity.boundary.len()], cavity.boundary.len());
+        let mut before = star[count - 1];
+        for (i, (&slot, side)) in star.iter().zip(&cavity.boundary).enumerate() {
+            let after = star[if i + 1 == count { 0 } else { i + 1 }];
+            let (to_after, to_before) = (Edge::new(after, 2), Edge::new(before, 1));
+            let neighbors = if cavity.is_split() {
+                [
+                    side.behind,
+                    cavity.joint_before(i + 1).map_or(to_after, |joint| joint.link(to_after)),
+                    cavity.joint_before(i).map_or(to_before, |joint| joint.link(to_before)),
+                ]
+            } else {
+                [side.behind, to_after, to_before]
+            };
+            before = slot;
             let [a, b] = side.ends;
             self.triangles[slot as usize] = Triangle { vertices: [vertex, a, b], neighbors };
             if !side.behind.is_outside() {
                 self.triangles[side.behind.triangle() as usize].neighbors[side.behind.index()] =
                     Edge::new(slot, 0).constrained_if(side.behind.is_constrained());
             }
-            if !self.regions.is_empty() {
+        }
+        if !self.regions.is_empty() {
+            for (i, &slot) in star.iter().enumerate() {
                 self.regions[slot as usize] = cavity.region(i);
             }
         }

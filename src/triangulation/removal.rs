@@ -128,7 +128,7 @@ impl Star {
 }
 
 fn holds(corners: [[f64; 2]; 3], point: [f64; 2]) -> bool {
-    in_circle(corners.map(|corner| Relative::of(corner, point)), corners, point)
+    in_circle(corners.map(|corner| Relative::of(corner, point)), || corners, point)
 }
 
 impl Triangulation {

@@ -47,9 +47,15 @@ impl Anchors {
     /// so an anchor never dangles.
     pub fn renew(&mut self, vertex: u32, cavity: &Cavity) {
         self.slots.push(u32::MAX);
+        if !cavity.is_constrained() && !cavity.is_split() {
+            return;
+        }
         for (i, side) in cavity.boundary.iter().enumerate() {
             if side.behind.is_constrained() {
                 self.set(side.ends, cavity.star[i]);
+            }
+            if !cavity.is_split() {
+                continue;
             }
             if cavity.joint_before(i).is_some() {
                 self.set([vertex, side.ends[0]], cavity.star[i]);

@@ -118,7 +118,7 @@ fn expect_whole(mesh: &Triangulation) {
             assert_eq!(mesh.ends(behind), [b, a]);
             let beyond = mesh.points[mesh.apex(behind) as usize];
             let seen = corners.map(|corner| Relative::of(corner, beyond));
-            assert!(behind.is_constrained() || !in_circle(seen, corners, beyond));
+            assert!(behind.is_constrained() || !in_circle(seen, || corners, beyond));
         }
     }
     let is_there = |edge: &Edge| mesh.triangles[edge.triangle() as usize] != Triangle::VACANT;
