@@ -23,6 +23,28 @@ impl Rectangle {
         Self { low: [a[0].min(b[0]), a[1].min(b[1])], high: [a[0].max(b[0]), a[1].max(b[1])] }
     }
 
+    /// A rectangle within the convex hull of points, so that most of them need not be looked at when
+    /// the hull is wanted: of four points each lies no nearer than one of its corners, in both
+    /// coordinates (Akl & Toussaint 1978). Inside out where there is none; for finite points.
+    pub fn within_hull(points: impl Iterator<Item = [f64; 2]> + Clone) -> Self {
+        let farthest = |[sx, sy]: [f64; 2]| {
+            let outwards = |[x, y]: [f64; 2]| sx * x + sy * y;
+            let farther = |a, b| if outwards(b) > outwards(a) { b } else { a };
+            points.clone().reduce(farther).unwrap_or([0.0; 2])
+        };
+        let [sw, se] = [[-1.0, -1.0], [1.0, -1.0]].map(farthest);
+        let [nw, ne] = [[-1.0, 1.0], [1.0, 1.0]].map(farthest);
+        Self {
+            low: [sw[0].max(nw[0]), sw[1].max(se[1])],
+            high: [se[0].min(ne[0]), nw[1].min(ne[1])],
+        }
+    }
+
+    /// Whether a point lies in the rectangle, farther than `margin` from its sides.
+    pub fn holds_well(&self, point: [f64; 2], margin: f64) -> bool {
+        (0..2).all(|k| self.low[k] + margin < point[k] && point[k] < self.high[k] - margin)
+    }
+
     /// The distance between the two rectangles, squared.
     pub fn gap_squared(&self, other: &Self) -> f64 {
         let gap =

@@ -119,11 +119,7 @@ fn is_in_circle_exactly(corners: [[f64; 2]; 3], p: [f64; 2]) -> bool {
 /// directed line from `a` to `b` (`ends`, asked for where rounding leaves it open).
 #[inline]
 #[must_use]
-pub fn sees_left(
-    seen: [Relative; 2],
-    ends: impl FnOnce() -> [[f64; 2]; 2],
-    p: [f64; 2],
-) -> bool {
+pub fn sees_left(seen: [Relative; 2], ends: impl FnOnce() -> [[f64; 2]; 2], p: [f64; 2]) -> bool {
     let [a, b] = seen;
     let (plus, minus) = (a.x * b.y, a.y * b.x);
     let cross = plus - minus;

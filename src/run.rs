@@ -199,6 +199,20 @@ fn run(
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     hear: Option<&mut dyn FnMut(&Event)>,
 ) -> Result<Outcome, Error> {
+    let mut outcome = unjudged(pslg, parameters, progress, hear)?;
+    if parameters.judged {
+        outcome.certificate = certify(pslg, &outcome.mesh, &Promise::from(parameters));
+    }
+    Ok(outcome)
+}
+
+/// Everything but the judgement, which needs memory of its own.
+fn unjudged(
+    pslg: &Pslg,
+    parameters: &Parameters,
+    progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    hear: Option<&mut dyn FnMut(&Event)>,
+) -> Result<Outcome, Error> {
     let (domain, warnings) = Domain::new(pslg, parameters.region)?;
     let exact_before = predicates::exact_answers();
     let initial = triangulate(&domain)?;
@@ -239,18 +253,13 @@ fn run(
         thinned,
         introduced: introductions.map(|&it| names.introduction(it)).collect(),
         statistics: Statistics::of_refined(&mesh, &refinement.mesh, domain.scale_exponent),
-        certificate: judge(pslg, &mesh, parameters),
+        certificate: not_judged(&mesh, &Promise::from(parameters)),
         mesh,
         smallest_input_angle: InputAngle::smallest(&domain),
         warnings: warnings.into_iter().map(Warning::Domain).collect(),
         end,
         refused: refinement.refused.subsegments.len() + refinement.refused.triangles.len(),
     })
-}
-
-fn judge(pslg: &Pslg, mesh: &Mesh, parameters: &Parameters) -> Certificate {
-    let promise = Promise::from(parameters);
-    if parameters.judged { certify(pslg, mesh, &promise) } else { not_judged(mesh, &promise) }
 }
 
 fn sizing(parameters: &Parameters, domain: &Domain) -> Sizing {

@@ -210,7 +210,7 @@ impl Suspect<'_, '_> {
     }
 
     fn number(&self) -> u32 {
-        self.complex.numbers[self.t]
+        self.complex.number_of(self.t)
     }
 
     fn is_limited(&self) -> bool {

@@ -4,6 +4,7 @@
 //! which other one. Triangles that name no triangle at all are reported and left out of it;
 //! a clockwise one is reported and turned, so that one fault does not hide or feign others.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use super::exact;
@@ -22,26 +23,38 @@ pub(super) struct Complex<'a> {
     pub(super) mesh: &'a Mesh,
     pub(super) frame: Frame,
     /// All points of the mesh, in judged coordinates.
-    pub(super) points: Vec<[f64; 2]>,
+    pub(super) points: Cow<'a, [[f64; 2]]>,
     /// The sound triangles, none of them clockwise.
-    pub(super) triangles: Vec<[u32; 3]>,
-    /// Which triangle of the mesh each of them is.
-    pub(super) numbers: Vec<u32>,
+    pub(super) triangles: Cow<'a, [[u32; 3]]>,
+    /// Which triangle of the mesh each of them is; nothing where they are all.
+    numbers: Option<Vec<u32>>,
     /// The opposite half-edge, or [`NONE`].
     pub(super) twin: Vec<u32>,
     /// Whether a sound triangle has this point.
     pub(super) used: Vec<bool>,
-    /// Half-edges by their smaller point (`start` delimits them), as larger point and half-edge.
-    by_smaller: Vec<u64>,
+    /// Half-edges by their smaller point (`start` delimits them), then by their larger one.
+    by_smaller: Vec<u32>,
     start: Vec<u32>,
     /// Half-edges by the point they leave, made when first asked for.
     leaving: std::cell::OnceCell<(Vec<u32>, Vec<u32>)>,
 }
 
+/// What is wrong with a triangle.
+#[derive(PartialEq)]
+struct Unsound {
+    /// The fault, if it is not its point's.
+    fault: Option<FaultKind>,
+    /// The triangle that it counts as all the same.
+    taken_for: Option<[u32; 3]>,
+}
+
 impl<'a> Complex<'a> {
     /// Sorts out the triangles of `mesh`, reporting to `g1` what is no complex.
     pub(super) fn new(mesh: &'a Mesh, frame: Frame, g1: &mut Judgement) -> Self {
-        let points: Vec<_> = mesh.points.iter().map(|&p| frame.scaled(p)).collect();
+        let points = match frame.changes_nothing() {
+            true => Cow::Borrowed(&mesh.points[..]),
+            false => mesh.points.iter().map(|&p| frame.scaled(p)).collect(),
+        };
         let finite: Vec<bool> = points.iter().map(|p| p.iter().all(|x| x.is_finite())).collect();
         for (i, _) in finite.iter().enumerate().filter(|(_, finite)| !**finite) {
             g1.add(Fault::at_point(mesh, FaultKind::NotFinite, i as u32));
@@ -50,8 +63,8 @@ impl<'a> Complex<'a> {
             mesh,
             frame,
             points,
-            triangles: Vec::with_capacity(mesh.triangles.len()),
-            numbers: Vec::with_capacity(mesh.triangles.len()),
+            triangles: Cow::Borrowed(&mesh.triangles),
+            numbers: None,
             twin: Vec::new(),
             used: vec![false; mesh.points.len()],
             by_smaller: Vec::new(),
@@ -64,41 +77,53 @@ impl<'a> Complex<'a> {
     }
 
     fn take_sound_triangles(&mut self, finite: &[bool], g1: &mut Judgement) {
-        for (number, &corners) in self.mesh.triangles.iter().enumerate() {
-            let number = number as u32;
-            let [a, b, c] = corners;
-            if corners.iter().any(|&v| v as usize >= self.points.len()) {
-                g1.add(Fault::at_triangle(self.mesh, FaultKind::NoSuchPoint, number));
-                continue;
-            }
-            if corners.iter().any(|&v| !finite[v as usize]) {
-                continue; // its point is reported
-            }
-            if a == b || b == c || c == a {
-                g1.add(Fault::at_triangle(self.mesh, FaultKind::RepeatedCorner, number));
-                continue;
-            }
-            let [p, q, r] = corners.map(|v| self.points[v as usize]);
-            let turned = match exact::orientation(p, q, r) {
-                Ordering::Greater => corners,
-                Ordering::Equal => {
-                    g1.add(Fault::at_triangle(self.mesh, FaultKind::Flat, number));
-                    corners
-                }
-                Ordering::Less => {
-                    g1.add(Fault::at_triangle(self.mesh, FaultKind::Clockwise, number));
-                    [a, c, b]
-                }
-            };
-            self.triangles.push(turned);
-            self.numbers.push(number);
-            for v in corners {
-                self.used[v as usize] = true;
-            }
+        let is_sound = |&corners: &[u32; 3]| self.look_at(corners, finite) == Ok(corners);
+        if !self.mesh.triangles.iter().all(is_sound) {
+            self.sort_out_triangles(finite, g1);
+        }
+        for &v in self.triangles.iter().flatten() {
+            self.used[v as usize] = true;
         }
         for v in (0..self.points.len()).filter(|&v| !self.used[v] && finite[v]) {
             g1.add(Fault::at_point(self.mesh, FaultKind::UnusedPoint, v as u32));
         }
+    }
+
+    /// Leaves out what is no triangle, and turns what is clockwise.
+    fn sort_out_triangles(&mut self, finite: &[bool], g1: &mut Judgement) {
+        let (mut triangles, mut numbers) = (Vec::new(), Vec::new());
+        for (number, &corners) in (0..).zip(&self.mesh.triangles) {
+            let looked = self.look_at(corners, finite);
+            if let Err(Unsound { fault: Some(fault), .. }) = &looked {
+                g1.add(Fault::at_triangle(self.mesh, fault.clone(), number));
+            }
+            if let Some(triangle) = looked.map_or_else(|unsound| unsound.taken_for, Some) {
+                triangles.push(triangle);
+                numbers.push(number);
+            }
+        }
+        (self.triangles, self.numbers) = (Cow::Owned(triangles), Some(numbers));
+    }
+
+    /// A triangle of the mesh, or what is wrong with it.
+    fn look_at(&self, corners: [u32; 3], finite: &[bool]) -> Result<[u32; 3], Unsound> {
+        let unsound = |fault| Err(Unsound { fault, taken_for: None });
+        let [a, b, c] = corners;
+        if corners.iter().any(|&v| v as usize >= self.points.len()) {
+            return unsound(Some(FaultKind::NoSuchPoint));
+        }
+        if corners.iter().any(|&v| !finite[v as usize]) {
+            return unsound(None); // its point is reported
+        }
+        if a == b || b == c || c == a {
+            return unsound(Some(FaultKind::RepeatedCorner));
+        }
+        let (fault, taken_for) = match exact::orientation(self.at(a), self.at(b), self.at(c)) {
+            Ordering::Greater => return Ok(corners),
+            Ordering::Equal => (FaultKind::Flat, corners),
+            Ordering::Less => (FaultKind::Clockwise, [a, c, b]),
+        };
+        Err(Unsound { fault: Some(fault), taken_for: Some(taken_for) })
     }
 
     /// Finds the twins; an edge that two triangles run along in one direction is a fault.
@@ -106,28 +131,32 @@ impl<'a> Complex<'a> {
         let halves = 3 * self.triangles.len() as u32;
         let mut start = vec![0_u32; self.points.len() + 1];
         for h in 0..halves {
-            let (v, w) = (self.origin(h), self.target(h));
-            start[v.min(w) as usize + 1] += 1;
+            start[self.smaller(h) as usize + 1] += 1;
         }
         for v in 1..start.len() {
             start[v] += start[v - 1];
         }
         let mut next = start.clone();
-        let mut sorted = vec![0_u64; halves as usize];
+        let mut by_smaller = vec![0; halves as usize];
         for h in 0..halves {
-            let (v, w) = (self.origin(h), self.target(h));
-            let slot = &mut next[v.min(w) as usize];
-            sorted[*slot as usize] = u64::from(v.max(w)) << 32 | u64::from(h);
-            *slot += 1;
+            let place = &mut next[self.smaller(h) as usize];
+            by_smaller[*place as usize] = h;
+            *place += 1;
         }
+        drop(next);
         let mut twin = vec![NONE; halves as usize];
-        for smaller in 0..self.points.len() {
-            let around = &mut sorted[start[smaller] as usize..start[smaller + 1] as usize];
-            around.sort_unstable();
-            for edge in around.chunk_by(|x, y| x >> 32 == y >> 32) {
+        // Of one point: larger point and half-edge.
+        let mut sorted: Vec<u64> = Vec::new();
+        for (smaller, range) in (0..).zip(start.windows(2)) {
+            let around = &mut by_smaller[range[0] as usize..range[1] as usize];
+            sorted.clear();
+            sorted.extend(around.iter().map(|&h| u64::from(self.larger(h)) << 32 | u64::from(h)));
+            sorted.sort_unstable();
+            around.iter_mut().zip(&sorted).for_each(|(h, &packed)| *h = packed as u32);
+            for edge in sorted.chunk_by(|x, y| x >> 32 == y >> 32) {
                 let mut ways = [NONE; 2];
                 for h in edge.iter().map(|&packed| packed as u32) {
-                    let way = usize::from(self.origin(h) as usize == smaller);
+                    let way = usize::from(self.origin(h) == smaller);
                     if ways[way] == NONE {
                         ways[way] = h;
                     } else {
@@ -146,7 +175,15 @@ impl<'a> Complex<'a> {
                 }
             }
         }
-        (self.twin, self.by_smaller, self.start) = (twin, sorted, start);
+        (self.twin, self.by_smaller, self.start) = (twin, by_smaller, start);
+    }
+
+    fn smaller(&self, h: u32) -> u32 {
+        self.origin(h).min(self.target(h))
+    }
+
+    fn larger(&self, h: u32) -> u32 {
+        self.origin(h).max(self.target(h))
     }
 
     /// The point where a half-edge begins.
@@ -178,7 +215,12 @@ impl<'a> Complex<'a> {
 
     /// The triangle of the mesh that a half-edge belongs to.
     pub(super) fn number(&self, h: u32) -> u32 {
-        self.numbers[h as usize / 3]
+        self.number_of(h as usize / 3)
+    }
+
+    /// The triangle of the mesh that a sound one is.
+    pub(super) fn number_of(&self, t: usize) -> u32 {
+        self.numbers.as_ref().map_or(t as u32, |numbers| numbers[t])
     }
 
     /// The coordinates of a point.
@@ -195,9 +237,9 @@ impl<'a> Complex<'a> {
         }
         let around =
             &self.by_smaller[self.start[smaller] as usize..self.start[smaller + 1] as usize];
-        let first = around.partition_point(|packed| packed >> 32 < u64::from(v.max(w)));
-        for h in around[first..].iter().take_while(|p| **p >> 32 == u64::from(v.max(w))) {
-            let h = *h as u32;
+        let larger = v.max(w);
+        let first = around.partition_point(|&h| self.larger(h) < larger);
+        for &h in around[first..].iter().take_while(|&&h| self.larger(h) == larger) {
             let way = usize::from(self.origin(h) != v);
             if found[way] == NONE {
                 found[way] = h;

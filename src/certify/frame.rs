@@ -35,6 +35,11 @@ impl Frame {
         Self { ulp: self.ulp_at(self.scaled([largest, 0.0])[0]), ..self }
     }
 
+    /// Whether judged coordinates are the given ones.
+    pub(super) fn changes_nothing(self) -> bool {
+        self.exponent == 0
+    }
+
     /// A point in judged coordinates.
     pub(super) fn scaled(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [times_power_of_two(x, -self.exponent), times_power_of_two(y, -self.exponent)]

@@ -36,8 +36,8 @@ impl Nearby {
         let curve = curve_through(&pslg.points, &mesh.points);
         let (inputs, points) = (along(curve, &pslg.points), along(curve, &mesh.points));
         let at_input = places_in_common((&points, &mesh.points), (&inputs, &pslg.points));
-        let [inputs, points] =
-            [inputs, points].map(|keyed| keyed.into_iter().map(|(_, old)| old).collect::<Vec<_>>());
+        let [inputs, points] = [inputs, points]
+            .map(|keyed| keyed.into_iter().map(|placed| placed as u32).collect::<Vec<_>>());
         let new = inverse(&points);
         let named: Vec<_> = mesh.triangles.iter().map(|&t| each(t, |v| renamed(v, &new))).collect();
         let triangles = by_first_point(&named, points.len());
@@ -109,15 +109,16 @@ fn curve_through(outline: &[[f64; 2]], mesh: &[[f64; 2]]) -> Curve {
     Curve::new(low, high)
 }
 
-/// The points' places along a curve with their numbers, in that order. Where the curve cannot tell
+/// The points' places along a curve (in the high half) with their numbers, in that order. Where the curve cannot tell
 /// them apart they stand as [`by_place`] says, so that two lists along one curve can be compared step
 /// by step.
-fn along(curve: Curve, points: &[[f64; 2]]) -> Vec<(u32, u32)> {
-    let mut placed: Vec<_> = points.iter().map(|&p| curve.place(p)).zip(0..).collect();
+fn along(curve: Curve, points: &[[f64; 2]]) -> Vec<u64> {
+    let places = points.iter().map(|&p| u64::from(curve.place(p)));
+    let mut placed: Vec<_> = (0..).zip(places).map(|(v, place)| place << 32 | v).collect();
     placed.sort_unstable();
-    for same in placed.chunk_by_mut(|a, b| a.0 == b.0).filter(|same| same.len() > 1) {
-        let at = |v: u32| points[v as usize];
-        same.sort_unstable_by(|&(_, v), &(_, w)| by_place(at(v), at(w)).then(v.cmp(&w)));
+    for same in placed.chunk_by_mut(|a, b| a >> 32 == b >> 32).filter(|same| same.len() > 1) {
+        let at = |placed: u64| points[placed as u32 as usize];
+        same.sort_unstable_by(|&v, &w| by_place(at(v), at(w)).then(v.cmp(&w)));
     }
     placed
 }
@@ -130,16 +131,19 @@ fn by_place(p: [f64; 2], q: [f64; 2]) -> Ordering {
 }
 
 /// A list of points as [`along`] gives it, and where they are.
-type Placed<'a> = (&'a [(u32, u32)], &'a [[f64; 2]]);
+type Placed<'a> = (&'a [u64], &'a [[f64; 2]]);
 
 /// For each point of the first list the first one of the second at the very same place, both by
 /// their new numbers; or [`NONE`].
 fn places_in_common((points, at): Placed, (others, others_at): Placed) -> Vec<u32> {
     let mut next = 0;
-    let found = points.iter().map(|&(place, v)| {
-        let p = at[v as usize];
-        let order = |&(other, w): &(u32, u32)| {
-            other.cmp(&place).then_with(|| by_place(others_at[w as usize], p))
+    let found = points.iter().map(|&placed| {
+        let order = |&other: &u64| {
+            let places = || (others_at[other as u32 as usize], at[placed as u32 as usize]);
+            (other >> 32).cmp(&(placed >> 32)).then_with(|| {
+                let (q, p) = places();
+                by_place(q, p)
+            })
         };
         while others.get(next).is_some_and(|other| order(other) == Ordering::Less) {
             next += 1;

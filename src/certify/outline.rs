@@ -14,6 +14,7 @@ use super::frame::Frame;
 use super::hull;
 use super::nesting;
 use super::precision::FLOOR;
+use crate::boxes::Rectangle;
 use crate::formats::{Enclosed, Pslg, Tag};
 use crate::parameters::Region;
 
@@ -147,17 +148,21 @@ impl<'a> Outline<'a> {
             }
             chain
         };
-        let lower = chain(&mut self.sorted.iter().copied());
-        let upper = chain(&mut self.sorted.iter().rev().copied());
+        let core = Rectangle::within_hull(self.sorted.iter().map(|&v| at(v)));
+        let outer = self.sorted.iter().copied().filter(|&v| !core.holds_well(at(v), 0.0));
+        let outer: Vec<u32> = outer.collect();
+        let lower = chain(&mut outer.iter().copied());
+        let upper = chain(&mut outer.iter().rev().copied());
         let edges = lower.windows(2).chain(upper.windows(2)).map(|pair| [pair[0], pair[1]]);
         let is_new = |edge: &[u32; 2]| known.binary_search(&ordered(*edge)).is_err();
         let hull: Vec<_> = edges.collect();
         let mut on_hull = vec![false; self.points.len()];
         hull.iter().flatten().for_each(|&v| on_hull[v as usize] = true);
         let new: Vec<_> = hull.into_iter().filter(is_new).collect();
-        let others = self.sorted.iter().copied().filter(|&v| !on_hull[v as usize]);
-        let new =
-            hull::through_near_points(&new, &self.points, others, 2.0 * FLOOR * self.frame.ulp);
+        let closest = 2.0 * FLOOR * self.frame.ulp;
+        let is_near = |&v: &u32| !on_hull[v as usize] && !core.holds_well(at(v), 2.0 * closest);
+        let others = self.sorted.iter().copied().filter(is_near);
+        let new = hull::through_near_points(&new, &self.points, others, closest);
         let new: Vec<_> = new.into_iter().filter(is_new).collect();
         self.segments.extend(new.into_iter().map(|ends| Segment { ends, input: NONE, tag: 0 }));
     }

@@ -10,7 +10,7 @@ use super::conformity::Chains;
 use super::fault::{Fault, FaultKind};
 use super::outline::Outline;
 use super::verdict::Judgement;
-use crate::formats::{Group, Tag, groups};
+use crate::formats::{Group, Mesh, Tag, groups};
 
 /// The tags of one dimension, in the outline and in the mesh.
 pub(super) struct Tags<'a> {
@@ -62,9 +62,12 @@ pub(super) fn judge_regions(
         return; // said elsewhere
     }
     let mut tags = Tags::new(2, &outline.pslg.groups, &mesh.groups);
+    if are_all_alike(outline, mesh, &mut tags) {
+        return;
+    }
     let faces = faces_of_triangles(outline, complex, chains);
     for (t, &face) in faces.iter().enumerate().filter(|(_, face)| **face != NONE) {
-        let number = complex.numbers[t];
+        let number = complex.number_of(t);
         let expected = outline.faces[face as usize].tag;
         let found = mesh.triangle_tags.get(number as usize).copied().unwrap_or(0);
         if !tags.agree(expected, found) {
@@ -72,6 +75,15 @@ pub(super) fn judge_regions(
             g4.add(Fault::at_triangle(mesh, FaultKind::WrongRegionTag { found, expected }, number));
         }
     }
+}
+
+/// Whether one tag is expected of all triangles, and found.
+fn are_all_alike(outline: &Outline, mesh: &Mesh, tags: &mut Tags) -> bool {
+    let mut expected = outline.faces.iter().filter(|face| face.meshed).map(|face| face.tag);
+    let Some(first) = expected.next() else { return false };
+    expected.all(|tag| tag == first)
+        && mesh.triangle_tags.len() == mesh.triangles.len()
+        && mesh.triangle_tags.chunk_by(|a, b| a == b).all(|run| tags.agree(first, run[0]))
 }
 
 /// The face of the outline that each triangle lies in; [`NONE`] where no segment says so.

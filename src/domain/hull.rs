@@ -10,41 +10,13 @@ use crate::vector::Vector;
 /// The edges of the convex hull, counter-clockwise, split at every point that lies on it.
 /// `order`: the points from left to right (lexicographic), all distinct and not all on one line.
 pub fn hull_edges(points: &[[f64; 2]], order: &[u32]) -> Vec<[u32; 2]> {
-    let core = Core::of(points);
-    let outer = order.iter().copied().filter(|&point| !core.holds(points[point as usize], 0.0));
+    let core = Rectangle::within_hull(points.iter().copied());
+    let outer =
+        order.iter().copied().filter(|&point| !core.holds_well(points[point as usize], 0.0));
     let order: Vec<u32> = outer.collect();
     let mut edges = chain(points, order.iter().copied());
     edges.extend(chain(points, order.iter().rev().copied()));
     edges
-}
-
-/// A rectangle within the convex hull, so that most points need not be looked at: each of four
-/// points lies farther out than one of its corners in both coordinates (Akl & Toussaint 1978).
-/// Empty where low is above high.
-struct Core {
-    low: [f64; 2],
-    high: [f64; 2],
-}
-
-impl Core {
-    fn of(points: &[[f64; 2]]) -> Self {
-        let farthest = |[sx, sy]: [f64; 2]| {
-            let outwards = |[x, y]: [f64; 2]| sx * x + sy * y;
-            points.iter().copied().reduce(|a, b| if outwards(b) > outwards(a) { b } else { a })
-        };
-        let corner = |direction| farthest(direction).unwrap_or([0.0; 2]);
-        let [sw, se] = [[-1.0, -1.0], [1.0, -1.0]].map(corner);
-        let [nw, ne] = [[-1.0, 1.0], [1.0, 1.0]].map(corner);
-        Self {
-            low: [sw[0].max(nw[0]), sw[1].max(se[1])],
-            high: [se[0].min(ne[0]), nw[1].min(ne[1])],
-        }
-    }
-
-    /// Whether a point lies within the rectangle, farther than `margin` from its sides.
-    fn holds(&self, point: [f64; 2], margin: f64) -> bool {
-        (0..2).all(|k| self.low[k] + margin < point[k] && point[k] < self.high[k] - margin)
-    }
 }
 
 /// Whether all points lie on one line. `order`: the points from left to right, all distinct.
@@ -79,11 +51,11 @@ pub fn through_near_points(
     let rectangles: Vec<_> =
         (0..edges.len() as u32).map(at).map(|[a, b]| Rectangle::around(a, b)).collect();
     let boxes = Boxes::new(&rectangles);
-    let core = Core::of(points);
+    let core = Rectangle::within_hull(points.iter().copied());
     let mut beside: Vec<(u32, f64, u32)> = Vec::new();
     for point in (0..points.len() as u32).filter(|&point| !on_hull[point as usize]) {
         let place = points[point as usize];
-        if core.holds(place, 2.0 * closest) {
+        if core.holds_well(place, 2.0 * closest) {
             continue;
         }
         // Squared, and infinite where the foot is not between the ends.

@@ -25,7 +25,12 @@ pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -
     let all = 0..scaled.len() as u32;
     if duplicates.is_empty() {
         let order = order.collect();
-        return Points { points: scaled, input: all.clone().collect(), distinct: all.collect(), order };
+        return Points {
+            points: scaled,
+            input: all.clone().collect(),
+            distinct: all.collect(),
+            order,
+        };
     }
 
     let mut first: Vec<u32> = all.collect();

@@ -133,7 +133,8 @@ impl<'a> Sweep<'a> {
     fn pass(&mut self, point: u32) -> Result<u32, Violation> {
         let (starting, ending) = self.starting_and_ending(point);
         let [below, above] = self.neighbours(point, ending)?;
-        let segment_below = |below| if below == NONE { u32::MAX } else { self.status.segment(below) };
+        let segment_below =
+            |below| if below == NONE { u32::MAX } else { self.status.segment(below) };
         if starting.is_empty() && ending.is_empty() {
             return Ok(segment_below(below));
         }

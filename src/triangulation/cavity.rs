@@ -223,15 +223,9 @@ impl Cavity {
         let apex = triangle.vertices[i];
         let seen = Relative::of(mesh.points[apex as usize], self.point);
         goes([seen_b, seen_a, seen], [b, a, apex]).then(|| {
-            let edge = |ends, at: usize, seen| BoundaryEdge {
-                ends,
-                behind: triangle.neighbors[at],
-                seen,
-            };
-            [
-                edge([a, apex], next(i), [seen_a, seen]),
-                edge([apex, b], previous(i), [seen, seen_b]),
-            ]
+            let edge =
+                |ends, at: usize, seen| BoundaryEdge { ends, behind: triangle.neighbors[at], seen };
+            [edge([a, apex], next(i), [seen_a, seen]), edge([apex, b], previous(i), [seen, seen_b])]
         })
     }
 

@@ -121,16 +121,16 @@ fn without_ghosts(mesh: Triangulation, domain_points: Vec<u32>) -> Initial {
 /// The corners of a box that is larger than the points' by its size on every side: no segment's
 /// diametral disc reaches them.
 fn box_around(points: &[[f64; 2]]) -> [[f64; 2]; 4] {
-    let (low, high) = extent(points);
+    let (low, high) = extent(points.iter().copied());
     let size = (high[0] - low[0]).max(high[1] - low[1]);
     let ([left, bottom], [right, top]) = (low.map(|c| c - size), high.map(|c| c + size));
     [[left, bottom], [right, bottom], [right, top], [left, top]]
 }
 
 /// The least and the largest coordinates.
-fn extent(points: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
+fn extent(points: impl Iterator<Item = [f64; 2]>) -> ([f64; 2], [f64; 2]) {
     let empty = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    points.iter().fold(empty, |(low, high), point| {
+    points.fold(empty, |(low, high), point| {
         ([0, 1].map(|i| low[i].min(point[i])), [0, 1].map(|i| high[i].max(point[i])))
     })
 }
@@ -138,10 +138,28 @@ fn extent(points: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
 /// The indices of the points in their order along a Hilbert curve through their bounding square.
 /// Scaling by a power of two changes nothing.
 fn along_hilbert_curve(points: &[[f64; 2]]) -> Vec<u32> {
-    let (low, high) = extent(points);
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    sort_along_hilbert_curve(points, &mut order);
+    order
+}
+
+/// So many points may share a cell of the curve; more get a curve of their own, or the walks
+/// through a cluster would be long.
+const CLUSTER: usize = 64;
+
+fn sort_along_hilbert_curve(points: &[[f64; 2]], indices: &mut [u32]) {
+    let (low, high) = extent(indices.iter().map(|&i| points[i as usize]));
     let curve = Curve::new(low, high);
-    let placed = points.iter().zip(0_u64..).map(|(&p, i)| u64::from(curve.place(p)) << 32 | i);
-    let mut placed: Vec<u64> = placed.collect();
+    let placed = indices.iter().map(|&i| (points[i as usize], u64::from(i)));
+    let mut placed: Vec<u64> = placed.map(|(p, i)| u64::from(curve.place(p)) << 32 | i).collect();
     placed.sort_unstable();
-    placed.into_iter().map(|placed| placed as u32).collect()
+    indices.iter_mut().zip(&placed).for_each(|(i, &placed)| *i = placed as u32);
+    let mut rest = indices;
+    for cell in placed.chunk_by(|a, b| a >> 32 == b >> 32) {
+        let (own, others) = rest.split_at_mut(cell.len());
+        if cell.len() > CLUSTER && cell.len() < placed.len() {
+            sort_along_hilbert_curve(points, own);
+        }
+        rest = others;
+    }
 }

@@ -114,11 +114,8 @@ impl Growing {
             }
             let ([seen_a, seen_b], seen) =
                 (across.seen, Relative::of(self.mesh.points[apex as usize], point));
-            let first = BoundaryEdge {
-                ends: [a, apex],
-                behind: neighbors[next(i)],
-                seen: [seen_a, seen],
-            };
+            let first =
+                BoundaryEdge { ends: [a, apex], behind: neighbors[next(i)], seen: [seen_a, seen] };
             let second = BoundaryEdge {
                 ends: [apex, b],
                 behind: neighbors[previous(i)],
