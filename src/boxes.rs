@@ -127,6 +127,16 @@ impl Boxes {
         Self { items, nodes }
     }
 
+    /// A tree that halves the items in the order given, for items of which neighbours are near each
+    /// other: it is made without sorting.
+    pub fn in_order(rectangles: &[Rectangle]) -> Self {
+        let mut nodes = Vec::with_capacity(2 * rectangles.len());
+        if !rectangles.is_empty() {
+            build_in_order(rectangles, &mut nodes);
+        }
+        Self { items: (0..rectangles.len() as u32).collect(), nodes }
+    }
+
     /// The whole tree; `None` without items.
     pub fn root(&self) -> Option<Node> {
         (!self.items.is_empty()).then_some(Node { index: 0, start: 0, end: self.items.len() })
@@ -337,6 +347,18 @@ fn build(rectangles: &[Rectangle], items: &mut [u32], nodes: &mut Vec<Rectangle>
     build(rectangles, right, nodes);
 }
 
+/// Appends the subtree of items as they stand; returns the rectangle around them.
+fn build_in_order(rectangles: &[Rectangle], nodes: &mut Vec<Rectangle>) -> Rectangle {
+    let place = nodes.len();
+    nodes.push(rectangles[0]);
+    if rectangles.len() > 1 {
+        let (left, right) = rectangles.split_at(rectangles.len() / 2);
+        let left = build_in_order(left, nodes);
+        nodes[place] = left.union(build_in_order(right, nodes));
+    }
+    nodes[place]
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -361,7 +383,7 @@ mod tests {
                 };
                 let all = (0..first.len() as u32).flat_map(|i| (0..second.len() as u32).map(move |j| (i, j)));
                 let expected = all.map(|(i, j)| gap(i, j)).fold(f64::INFINITY, f64::min);
-                let (tree, other) = (Boxes::new(first), Boxes::new(second));
+                let (tree, other) = (Boxes::in_order(first), Boxes::new(second));
                 let (tree, other) = if is_itself { (&tree, &tree) } else { (&tree, &other) };
                 let mut budget = usize::MAX;
                 let found = tree.least_distance_squared(other, f64::INFINITY, &mut budget, gap);

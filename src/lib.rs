@@ -43,6 +43,7 @@ mod attributes;
 mod boxes;
 mod carve;
 pub mod certify;
+mod columns;
 pub mod constructions;
 mod corners;
 pub mod domain;

@@ -15,6 +15,7 @@ use super::hull;
 use super::nesting;
 use super::precision::FLOOR;
 use crate::boxes::Rectangle;
+use crate::columns::{in_columns, lexicographic};
 use crate::formats::{Enclosed, Pslg, Tag};
 use crate::parameters::Region;
 
@@ -98,10 +99,8 @@ impl<'a> Outline<'a> {
     fn merge_points(&mut self) {
         let points = &self.points;
         let finite = |v: u32| self.pslg.points[v as usize].iter().all(|x| x.is_finite());
-        let all = points.iter().copied().zip(0_u32..);
-        let mut placed: Vec<_> = all.filter(|&(_, v)| finite(v)).collect();
-        placed.sort_unstable_by(|&(p, v), &(q, w)| by_place(p, q).then(v.cmp(&w)));
-        let mut sorted: Vec<u32> = placed.into_iter().map(|(_, v)| v).collect();
+        let placed = in_columns(points, (0..points.len() as u32).filter(|&v| finite(v)));
+        let mut sorted: Vec<u32> = placed.into_iter().map(|placed| placed as u32).collect();
         let mut same = vec![NONE; points.len()];
         for group in sorted.chunk_by(|&v, &w| points[v as usize] == points[w as usize]) {
             for &v in group {
@@ -298,7 +297,7 @@ impl<'a> Outline<'a> {
         let mut seeds: Vec<(usize, [f64; 2])> = self.seeds().into_iter().enumerate().collect();
         let mut seats = vec![None; seeds.len()];
         seeds.retain(|(_, p)| p.iter().all(|x| x.is_finite()));
-        seeds.sort_by(|(_, p), (_, q)| by_place(*p, *q));
+        seeds.sort_by(|(_, p), (_, q)| lexicographic(*p, *q));
         let mut seeds = seeds.into_iter().peekable();
         let mut status = Status::default();
         let mut sorted = std::mem::take(&mut self.sorted).into_iter().map(Some).collect::<Vec<_>>();
@@ -306,7 +305,7 @@ impl<'a> Outline<'a> {
         for v in &sorted {
             // Seeds before the point; a seed on a point lies in no face.
             while let Some(&(seed, p)) = seeds.peek() {
-                let order = v.map_or(Ordering::Less, |v| by_place(p, self.points[v as usize]));
+                let order = v.map_or(Ordering::Less, |v| lexicographic(p, self.points[v as usize]));
                 match order {
                     Ordering::Greater => break,
                     Ordering::Equal => {}
@@ -332,8 +331,9 @@ impl<'a> Outline<'a> {
             }
             // From below to above: first what falls, then what rises.
             let spokes = self.spokes(v);
-            let right =
-                |h: &&u32| by_place(at, self.points[self.target(**h) as usize]) == Ordering::Less;
+            let right = |h: &&u32| {
+                lexicographic(at, self.points[self.target(**h) as usize]) == Ordering::Less
+            };
             let falling = spokes.iter().filter(|h| !self.rises(**h)).filter(right);
             let rising = spokes.iter().filter(|h| self.rises(**h)).filter(right);
             status.insert(below, falling.chain(rising).copied());
@@ -533,7 +533,7 @@ impl Status {
         let count = self.halves[below..].iter().take_while(|&&h| ending(h)).count();
         self.halves.drain(below..below + count);
         let expected = outline.spokes(v).iter().filter(|&&h| {
-            by_place(outline.points[outline.target(h) as usize], outline.points[v as usize])
+            lexicographic(outline.points[outline.target(h) as usize], outline.points[v as usize])
                 == Ordering::Less
         });
         if expected.count() != count {
@@ -552,12 +552,6 @@ impl Status {
 fn side(outline: &Outline, h: u32, p: [f64; 2]) -> Ordering {
     let [a, b] = [outline.origin(h), outline.target(h)].map(|v| outline.points[v as usize]);
     exact::orientation(a, b, p)
-}
-
-/// From left to right, then from below to above.
-fn by_place(p: [f64; 2], q: [f64; 2]) -> Ordering {
-    let order = |x: f64, y: f64| x.partial_cmp(&y).unwrap_or(Ordering::Equal);
-    order(p[0], q[0]).then(order(p[1], q[1]))
 }
 
 /// Counter-clockwise around `x`, from the direction of the first axis.

@@ -129,7 +129,8 @@ impl Augmented {
         let around = |[v, w]: [u32; 2]| Rectangle::around(at(v), at(w));
         let points: Vec<_> = features.iter().map(|&v| around([v, v])).collect();
         let pieces: Vec<_> = self.pieces.iter().map(|&piece| around(piece)).collect();
-        let (points, pieces) = (Boxes::new(&points), Boxes::new(&pieces));
+        // (The points stand along a curve.)
+        let (points, pieces) = (Boxes::in_order(&points), Boxes::new(&pieces));
         let mut budget = MOST_VISITS_PER_POINT * features.len();
         let place = |i: u32| at(features[i as usize]);
         let between_points = |i: u32, j: u32| match i == j {

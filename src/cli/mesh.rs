@@ -14,6 +14,7 @@ use super::failure::{Exit, Failure};
 use super::format::{Format, listed};
 use super::input;
 use super::json::{self, MadeFrom, MeshReport};
+use super::memory::MemoryOption;
 use super::notes::Notes;
 use super::options::{ReadOptions, Scale};
 use super::output::{Pending, STDOUT, Written, check_places};
@@ -46,6 +47,8 @@ pub struct Arguments {
     read: ReadOptions,
     #[command(flatten)]
     refine: RefineOptions,
+    #[command(flatten)]
+    memory: MemoryOption,
     #[command(flatten)]
     scale: Scale,
     #[command(flatten)]
@@ -85,9 +88,17 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let mended = arguments.repair.mend(pslg, voice)?;
     let pslg = mended.outline();
     mended.say(voice);
+    // What is told is what was asked for, not what this machine has free.
+    let room = arguments.memory.room(parameters.judged);
+    let room = room.filter(|room| room.points < parameters.max_points);
+    room.map_or(Ok(()), |room| room.expect(pslg.points.len()))?;
+    let within_room = Parameters {
+        max_points: room.map_or(parameters.max_points, |room| room.points),
+        ..parameters
+    };
 
     let line = ProgressLine::new(voice);
-    let meshed = mesh_with(pslg, &parameters, &mut |progress| line.show(progress));
+    let meshed = mesh_with(pslg, &within_room, &mut |progress| line.show(progress));
     let took = line.finish();
     let outcome = meshed.map_err(failure)?;
     outcome.warnings.iter().for_each(|warning| voice.warn(warning));
@@ -112,7 +123,10 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     tell_incomplete(&arguments.outputs(&formats), voice);
     summary.say_written(&written, &arguments.write, voice);
 
-    let exit = verdict(&outcome, pslg, &parameters, arguments.strict, voice);
+    let exit = match room.filter(|_| outcome.end == End::PointBudget) {
+        Some(room) => Err(room.failure_of_run()),
+        None => verdict(&outcome, pslg, &parameters, arguments.strict, voice),
+    };
     if arguments.json {
         print(&json::mesh_run(&MeshReport {
             input: &input,

@@ -11,6 +11,7 @@ mod info;
 mod input;
 mod interrupt;
 mod json;
+mod memory;
 mod mesh;
 mod notes;
 mod options;

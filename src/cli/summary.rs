@@ -184,7 +184,7 @@ impl<'a> Summary<'a> {
                 );
                 return;
             }
-            (End::PointBudget, _) => ("stopped", "at --max-points, so not everything is kept:"),
+            (End::PointBudget, _) => ("stopped", "early, so not everything is kept:"),
             (_, false) => ("FAILS", "the judge found what must not be:"),
             _ if certificate.limited() => ("certified", "but for places where doubles end:"),
             _ => {

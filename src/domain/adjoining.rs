@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::lexicographic;
+use crate::columns::lexicographic;
 use crate::predicates::{Side, side};
 
 /// For each point the segments that end there, counter-clockwise from straight down (exclusive):

@@ -1,7 +1,8 @@
 //! The angles between adjoining segments, and θ*, the smallest of them.
 
+use super::Domain;
 use super::adjoining::other_end;
-use super::{Domain, lexicographic};
+use crate::columns::lexicographic;
 use crate::constructions::Angle as Measured;
 use crate::predicates::{Side, side};
 

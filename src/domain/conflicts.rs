@@ -4,10 +4,10 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use super::error::{Item, Kind, Quoted, more, number, rounded};
-use super::lexicographic;
 use super::sweep::{Linework, Violation, cross};
 use crate::Pslg;
 use crate::boxes::{Boxes, Rectangle};
+use crate::columns::lexicographic;
 use crate::constructions::crossing;
 use crate::predicates::{Side, side};
 

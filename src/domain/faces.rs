@@ -8,8 +8,8 @@
 //! segment below its leftmost point tells.
 
 use super::adjoining::other_end;
-use super::lexicographic;
 use super::sweep::{Linework, Located};
+use crate::columns::lexicographic;
 
 /// The face outside of everything.
 pub const OUTSIDE: u32 = 0;

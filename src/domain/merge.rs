@@ -2,8 +2,8 @@
 //! segments given twice.
 
 use super::error::{Item, Kind, Warning};
-use super::in_columns;
 use crate::Pslg;
+use crate::columns::in_columns;
 
 /// The distinct points of an outline.
 pub struct Points {
@@ -19,7 +19,7 @@ pub struct Points {
 
 /// Merges points with equal coordinates (−0 equals 0).
 pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -> Points {
-    let placed = in_columns(&scaled);
+    let placed = in_columns(&scaled, 0..scaled.len() as u32);
     let duplicates = duplicates(&scaled, &placed);
     let order = placed.into_iter().map(|placed| placed as u32);
     let all = 0..scaled.len() as u32;

@@ -21,7 +21,6 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 
-use std::cmp::Ordering;
 use std::sync::OnceLock;
 
 pub use angles::Angle;
@@ -33,6 +32,7 @@ pub use open_ends::{OpenEnd, OpenEnds};
 pub use precision::PrecisionLimit;
 pub use repair::{Repair, RepairKind, Repaired, Report, repair};
 
+use crate::columns::in_columns;
 use crate::formats::{Enclosed, LocalArea};
 use crate::vector::Vector;
 use crate::{Pslg, Region};
@@ -270,35 +270,9 @@ impl Domain {
     }
 }
 
-/// The order of the plane sweep: by x, then by y.
-fn lexicographic([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> Ordering {
-    // Coordinates are finite; −0 equals 0, which `total_cmp` would deny.
-    let order = |a: f64, b: f64| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
-    order(ax, bx).then(order(ay, by))
-}
-
 /// The points' indices, sorted by x, then by y, then by index.
 fn lexicographic_order(points: &[[f64; 2]]) -> Vec<u32> {
-    in_columns(points).into_iter().map(|placed| placed as u32).collect()
-}
-
-/// The points' indices in lexicographic order, in the low half of each number; in the high half the
-/// column of the plane in which the point lies, so that equals share it. (The columns are sorted as
-/// numbers; only within a column is a comparison's price paid.)
-fn in_columns(points: &[[f64; 2]]) -> Vec<u64> {
-    let (low, high) = points
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &[x, _]| (low.min(x), high.max(x)));
-    let columns = f64::from(u32::MAX) / (high - low);
-    // Rounded, but never the wrong way round.
-    let column = |x: f64| u64::from(((x - low) * columns) as u32);
-    let mut placed: Vec<u64> = (0..).zip(points).map(|(i, p)| column(p[0]) << 32 | i).collect();
-    placed.sort_unstable();
-    for same in placed.chunk_by_mut(|a, b| a >> 32 == b >> 32).filter(|same| same.len() > 1) {
-        let at = |placed: &u64| points[*placed as u32 as usize];
-        same.sort_unstable_by(|a, b| lexicographic(at(a), at(b)).then(a.cmp(b)));
-    }
-    placed
+    in_columns(points, 0..points.len() as u32).into_iter().map(|placed| placed as u32).collect()
 }
 
 /// A sum whose rounding errors are summed too (Neumaier).

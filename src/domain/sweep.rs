@@ -6,8 +6,8 @@
 //! right; there, the two are neighbours or one of them ends on the other.
 
 use super::adjoining::other_end;
-use super::lexicographic;
 use super::status::{NONE, Position, Status};
+use crate::columns::lexicographic;
 use crate::predicates::{Side, side};
 
 /// The linework that is swept.

@@ -47,13 +47,15 @@ use std::collections::{BTreeSet, VecDeque};
 use std::ops::ControlFlow;
 
 use crate::constructions::Angle;
+use crate::corners::{next, previous};
 use crate::domain::Domain;
 use crate::parameters::{MinAngle, Parameters, Rule, Splitting, Steiner};
+use crate::predicates::Relative;
 use crate::triangulation::{Cavity, Triangulation};
 use counters::Counters;
 use incremental::{Introduced, Introduction};
 use provenance::Provenances;
-use quality::Trigger;
+use quality::{Look, Trigger};
 use queue::{Entry, Order, Queue};
 use segments::Segments;
 use sizes::Sizes;
@@ -90,6 +92,8 @@ pub struct Refinement<'a> {
     sizes: Option<Sizes>,
     precision: Precision,
     order: Order,
+    /// Whether every angle below κ̂ that is not excused is bad, and the shortest edge comes first.
+    is_plain: bool,
     queue: Queue,
     pending: VecDeque<([u32; 2], Cause)>,
     cavity: Cavity,
@@ -213,6 +217,7 @@ impl<'a> Refinement<'a> {
             sizing,
             sizes,
             precision: Precision::of(domain),
+            is_plain: !worst_first && parameters.soft_angle.is_none() && !parameters.incremental,
             order: if worst_first { Order::SmallestAngle } else { Order::ShortestEdge },
             queue: Queue::default(),
             pending: VecDeque::new(),
@@ -234,7 +239,9 @@ impl<'a> Refinement<'a> {
         self.divide_by_sizes(&mut watch)?;
         for tile in self.tiles() {
             for slot in tile {
-                self.queue_if_bad(slot);
+                let corners = self.mesh.corners(slot);
+                let seen = [1, 2].map(|i| Relative::of(corners[i], corners[0]));
+                self.queue_at_a_glance(slot, seen);
             }
             self.improve_all(&mut watch)?;
         }
@@ -468,11 +475,34 @@ impl<'a> Refinement<'a> {
     /// Queues the bad ones of the triangles that were just made.
     fn queue_bad_of_star(&mut self) {
         for i in 0..self.cavity.boundary.len() {
-            let slot = self.cavity.star[i];
-            if !self.mesh.is_outside_the_region(slot) && self.may_be_bad(i) {
-                self.queue_if_bad(slot);
-            }
+            self.queue_at_a_glance(self.cavity.star[i], self.cavity.boundary[i].seen);
         }
+    }
+
+    /// Queues a triangle if it is bad, its corners 1 and 2 as seen from corner 0: measured exactly only
+    /// where a glance does not tell.
+    #[inline]
+    fn queue_at_a_glance(&mut self, slot: u32, [a, b]: [Relative; 2]) {
+        if self.mesh.is_outside_the_region(slot) {
+            return;
+        }
+        let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
+        let may_be_too_large = self.sizing.may_be_too_large(a, b, region) || self.sizes.is_some();
+        match quality::look(a, b, self.target()) {
+            Look::Fine if !may_be_too_large => {}
+            Look::Small { edge, squared } if self.is_plain && !self.may_excuse(slot, edge) => {
+                let newest = self.mesh.triangles[slot as usize].vertices[0];
+                self.queue.push(queue::by_length(squared), Entry { slot, newest });
+            }
+            _ => self.queue_if_bad(slot),
+        }
+    }
+
+    /// Whether an edge may lie across a small input angle: both its ends split segments.
+    fn may_excuse(&self, slot: u32, edge: usize) -> bool {
+        let vertices = self.mesh.triangles[slot as usize].vertices;
+        let splits = |i: usize| self.provenances.segment_point(vertices[i]).is_some();
+        splits(next(edge)) && splits(previous(edge))
     }
 
     /// A quick look at the triangle that the cavity's point makes, or has made, with a boundary

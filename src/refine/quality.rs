@@ -24,6 +24,56 @@ fn may_be_below(cross: f64, dot: f64, kappa: MinAngle) -> bool {
         && kappa.denominator * (cross * cross) <= (kappa.numerator * 1.000_000_1) * (dot * dot)
 }
 
+/// What a quick look at a triangle tells.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Look {
+    /// Nothing is bad about it.
+    Fine,
+    /// The angle opposite its shortest edge is too small.
+    Small {
+        /// That edge: 0, 1 or 2.
+        edge: usize,
+        /// Its squared length.
+        squared: f64,
+    },
+    /// The angle is too close to κ̂ for rounded numbers.
+    Unsure,
+}
+
+/// A quick look at the angles of the triangle of the point that `a` and `b` are seen from, which is
+/// its corner 0.
+#[inline]
+#[must_use]
+pub fn look(a: Relative, b: Relative, kappa: MinAngle) -> Look {
+    let (cross, dot) = (a.cross(b), a.dot(b));
+    // By |·||·|cos of the three angles as above, each with the edge opposite.
+    let [at_a, at_b] = [a.squared - dot, b.squared - dot];
+    let (edge, largest) = if dot >= at_a.max(at_b) {
+        (0, dot)
+    } else if at_a >= at_b {
+        (1, at_a)
+    } else {
+        (2, at_b)
+    };
+    if !may_be_below(cross, largest, kappa) {
+        Look::Fine
+    } else if kappa.denominator * (cross * cross)
+        < (kappa.numerator * 0.999_999_9) * (largest * largest)
+    {
+        Look::Small { edge, squared: squared_edges(a, b)[edge] }
+    } else {
+        Look::Unsure
+    }
+}
+
+/// The squared lengths of the edges opposite the point that `a` and `b` are seen from, `a` and `b`.
+#[inline]
+#[must_use]
+pub fn squared_edges(a: Relative, b: Relative) -> [f64; 3] {
+    let (x, y) = (a.x - b.x, a.y - b.y);
+    [x * x + y * y, b.squared, a.squared]
+}
+
 /// The angle for whose sake a triangle is removed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trigger {
@@ -109,6 +159,30 @@ mod tests {
         let smallest = trigger(FLAT, MinAngle::default(), |_, _| false).map(|t| t.edge);
         let second = trigger(FLAT, MinAngle::default(), |edge, _| Some(edge) == smallest);
         assert_eq!((smallest, second.map(|t| t.edge)), (Some(1), Some(0)));
+    }
+
+    #[test]
+    fn a_look_tells_what_the_trigger_tells_or_that_it_is_unsure() {
+        let kappa = MinAngle::default();
+        let mut counts = [0; 3];
+        for step in 0..4000 {
+            let height = f64::from(step) / 2000.0;
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.3 + 0.1 * height, height + 1e-3]];
+            let [p, a, b] = corners;
+            let looked = look(Relative::of(a, p), Relative::of(b, p), kappa);
+            let found = trigger(corners, kappa, |_, _| false);
+            match (looked, found) {
+                (Look::Fine, None) => counts[0] += 1,
+                (Look::Small { edge, squared }, Some(trigger)) => {
+                    assert_eq!(edge, trigger.edge);
+                    assert!((squared / trigger.squared - 1.0).abs() < 1e-12);
+                    counts[1] += 1;
+                }
+                (Look::Unsure, _) => counts[2] += 1,
+                pair => panic!("{corners:?}: {pair:?}"),
+            }
+        }
+        assert!(counts[0] > 500 && counts[1] > 500 && counts[2] < 5, "{counts:?}");
     }
 
     #[test]

@@ -41,8 +41,9 @@ impl Order {
     }
 }
 
-/// The exponent and the first three bits of the mantissa.
-fn by_length(squared: f64) -> usize {
+/// The bucket of a squared length: the exponent and the first three bits of the mantissa.
+#[must_use]
+pub fn by_length(squared: f64) -> usize {
     (squared.to_bits() >> 49) as usize & (BUCKETS - 1)
 }
 

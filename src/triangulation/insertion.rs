@@ -89,11 +89,11 @@ impl Growing {
         }
         let Triangle { vertices, neighbors } = self.mesh.triangles[slot as usize];
         let seen = each(vertices, |v| Relative::of(self.mesh.points[v as usize], point));
-        for i in 0..3 {
+        for (i, &behind) in neighbors.iter().enumerate() {
             let [from, to] = [next(i), previous(i)];
             let edge = BoundaryEdge {
                 ends: [vertices[from], vertices[to]],
-                behind: neighbors[i],
+                behind,
                 seen: [seen[from], seen[to]],
             };
             if self.is_beyond(edge, point) {

@@ -188,6 +188,20 @@ fn where_doubles_end_is_a_warning_that_names_the_point() {
 }
 
 #[test]
+fn a_run_ends_before_memory_does() {
+    let bench = Bench::with("memory", "square.poly", SQUARE);
+    let said = bench.fails("mesh square.poly --max-area 1e-5 --memory 1MB -o a.msh", 4);
+    assert!(
+        said.contains("stopped at 3 125 points, as many as fit into 1.0 MB (--memory)"),
+        "{said}"
+    );
+    assert!(said.contains("help: a larger --memory"), "{said}");
+    let said = bench.fails("mesh square.poly --memory 1kB -o a.msh", 4);
+    assert!(said.contains("an outline of 4 points does not fit into 1 kB (--memory)"), "{said}");
+    bench.succeeds("mesh square.poly --memory 2GiB");
+}
+
+#[test]
 fn a_budget_that_is_reached_is_a_promise_not_kept() {
     let bench = Bench::with("budget", "square.poly", SQUARE);
     let said = bench.fails("mesh square.poly --max-area 1e-4 --max-points 50 -o a.msh", 4);

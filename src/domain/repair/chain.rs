@@ -8,8 +8,8 @@
 use std::cmp::Ordering;
 use std::ops::Range;
 
-use super::super::lexicographic;
 use crate::boxes::Rectangle;
+use crate::columns::lexicographic;
 
 /// So few points are looked at one by one.
 const FEW: usize = 6;

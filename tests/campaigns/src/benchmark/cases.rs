@@ -26,6 +26,8 @@ pub struct Case {
 pub enum Kind {
     /// So many random points in the unit square.
     Points(usize),
+    /// So many points where most questions are close calls, in a box.
+    Close(Close, usize),
     /// The unit square, in up to so many triangles of one size.
     Square(usize),
     /// So many random segments in the unit square, cut where they cross.
@@ -36,11 +38,58 @@ pub enum Kind {
     RoughWorld(usize),
 }
 
+/// Points for which rounding decides little.
+#[derive(Debug, Clone, Copy)]
+pub enum Close {
+    /// The points of a square grid: four on each circle.
+    Grid,
+    /// The same, turned: nearly so.
+    TurnedGrid,
+    /// All on one circle, as far as doubles can tell.
+    Circle,
+    /// All on one line.
+    Line,
+    /// All but a few in a square of a millionth of the width.
+    Cluster,
+}
+
+impl Close {
+    /// So many of them; of a grid as many as fill it.
+    fn points(self, count: usize, random: &mut Random) -> Vec<[f64; 2]> {
+        let side = (count as f64).sqrt() as usize;
+        let grid = || {
+            let step = |i: usize| i as f64 / side as f64;
+            (0..side * side).map(move |i| [step(i % side), step(i / side)])
+        };
+        match self {
+            Self::Grid => grid().collect(),
+            Self::TurnedGrid => {
+                let (sine, cosine) = (libm::sin(0.3), libm::cos(0.3));
+                grid().map(|[x, y]| [cosine * x - sine * y, sine * x + cosine * y]).collect()
+            }
+            Self::Circle => (0..count)
+                .map(|i| std::f64::consts::TAU * i as f64 / count as f64)
+                .map(|angle| [libm::cos(angle), libm::sin(angle)])
+                .collect(),
+            Self::Line => (0..count).map(|i| [i as f64 / count as f64, 0.5]).collect(),
+            Self::Cluster => (0..count)
+                .map(|_| [0.5 + 1e-6 * random.unit(), 0.5 + 1e-6 * random.unit()])
+                .collect(),
+        }
+    }
+}
+
 impl Case {
     /// All cases.
     #[must_use]
     pub fn all() -> Vec<Self> {
         use Kind::{Points, RoughWorld, Segments, Square, World};
+        let close = |name, close| Self {
+            name,
+            kind: Kind::Close(close, 100_000),
+            is_conforming: false,
+            is_large: false,
+        };
         let case = |name, kind| Self { name, kind, is_conforming: false, is_large: false };
         let conforming = |name, kind| Self { is_conforming: true, ..case(name, kind) };
         let large = |name, kind| Self { is_large: true, ..case(name, kind) };
@@ -53,6 +102,11 @@ impl Case {
             conforming("segments-20k", Segments(20_000)),
             conforming("world50", World),
             conforming("world-400k", RoughWorld(4)),
+            close("grid-100k", Close::Grid),
+            close("turned-grid-100k", Close::TurnedGrid),
+            close("circle-100k", Close::Circle),
+            close("line-100k", Close::Line),
+            close("cluster-100k", Close::Cluster),
         ]
     }
 
@@ -75,6 +129,10 @@ impl Case {
     pub fn outline(&self, world: Option<&Path>) -> Result<Option<Pslg>, String> {
         match self.kind {
             Kind::Points(count) => Ok(Some(points(count, &mut Random::new(1)))),
+            Kind::Close(close, count) => {
+                let points = close.points(count, &mut Random::new(4));
+                Ok(Some(boxed(Pslg { points, ..Pslg::default() }, [-2.0; 2], [2.0; 2])))
+            }
             Kind::Square(_) => Ok(Some(boxed(Pslg::default(), [0.0; 2], [1.0; 2]))),
             Kind::Segments(count) => segments(count, &mut Random::new(2)).map(Some),
             Kind::World => world.map(read).transpose(),
@@ -158,6 +216,17 @@ mod tests {
         let parameters = Parameters { max_area: case.max_area(), ..Parameters::default() };
         let found = mesh(&square, &parameters).expect("a square is meshed").mesh.triangles.len();
         assert!((17_000..20_000).contains(&found), "{found}");
+    }
+
+    #[test]
+    fn points_for_close_calls_are_distinct_and_lie_in_their_box() {
+        for close in [Close::Grid, Close::TurnedGrid, Close::Circle, Close::Line, Close::Cluster] {
+            let mut points = close.points(1000, &mut Random::new(4));
+            assert!((900..=1000).contains(&points.len()), "{close:?}: {}", points.len());
+            assert!(points.iter().flatten().all(|x| x.abs() < 2.0), "{close:?}");
+            points.sort_by(|p, q| p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])));
+            assert!(points.windows(2).all(|pair| pair[0] != pair[1]), "{close:?}");
+        }
     }
 
     #[test]

@@ -51,7 +51,7 @@ impl Program {
         match self {
             Self::Spade => matches!(case.kind, Kind::Points(_) | Kind::Square(_)) && !case.is_large,
             Self::Gmsh => matches!(case.kind, Kind::Square(_)) && !case.is_large,
-            Self::LookAhead => !case.is_large,
+            Self::LookAhead => !case.is_large && !matches!(case.kind, Kind::Close(..)),
             _ => true,
         }
     }
