@@ -24,7 +24,8 @@ pub(crate) use note::numbers_only;
 pub struct Rules {
     /// Numbers must be positive: tags below 1 get fresh numbers.
     pub positive: bool,
-    /// No number may serve two groups: regions are numbered 1, 2, …, then boundaries go on.
+    /// No number may serve two groups: where one does, regions are numbered 1, 2, …, then boundaries
+    /// go on.
     pub unique: bool,
     /// Names stand between double quotes that nothing escapes: `"` becomes `'`.
     pub quoted: bool,
@@ -377,15 +378,17 @@ fn keys(
 
 /// The number of each group in the file.
 fn numbers(keys: &[Key], rules: Rules) -> BTreeMap<Key, Tag> {
-    if rules.unique {
-        let regions_first =
-            keys.iter().filter(|k| k.0 == 2).chain(keys.iter().filter(|k| k.0 != 2));
-        return regions_first.copied().zip(1..).collect();
-    }
     let keeps = |&(_, tag, _): &Key| tag > 0 || (tag < 0 && !rules.positive);
     let used = keys.iter().filter(|key| keeps(key)).map(|key| key.1).collect();
     let mut fresh = FreshTags::beside(used);
-    keys.iter().map(|&key| (key, if keeps(&key) { key.1 } else { fresh.take() })).collect()
+    let number = |&key: &Key| (key, if keeps(&key) { key.1 } else { fresh.take() });
+    let numbers: BTreeMap<Key, Tag> = keys.iter().map(number).collect();
+    let different = numbers.values().collect::<BTreeSet<_>>().len();
+    if rules.unique && different < keys.len() {
+        let regions = keys.iter().filter(|key| key.0 == 2);
+        return regions.chain(keys.iter().filter(|key| key.0 != 2)).copied().zip(1..).collect();
+    }
+    numbers
 }
 
 fn entries(

@@ -74,7 +74,7 @@ pub struct WriteOptions {
     /// points and further groups of an edge are lost.
     #[arg(long, value_name = "THICKNESS", value_parser = positive)]
     layer: Option<f64>,
-    /// Renumber groups so that no number serves a boundary and a region (.msh); without it the
+    /// Renumber groups where a number serves a boundary and a region (.msh); without it the
     /// outline's numbers stay.
     #[arg(long)]
     unique_ids: bool,

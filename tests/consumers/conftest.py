@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import msh
+import survey
 
 ROOT = Path(__file__).resolve().parents[2]
 FIXTURES = ROOT / "tests" / "fixtures"
@@ -56,6 +57,13 @@ def named_rooms(tmp_path_factory):
         return files[key]
 
     return write
+
+
+@pytest.fixture(scope="session")
+def hold(named_rooms):
+    """Holds what a program saw of the rooms with names against its row of the table."""
+    mesh = msh.read(named_rooms("rooms.msh"))
+    return lambda *seen, **more: survey.hold(survey.Seen(*seen, **more), mesh)
 
 
 @pytest.fixture(scope="session")

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-LINE, TRIANGLE = 1, 2
+LINE, TRIANGLE, POINT = 1, 2, 15
 
 
 @dataclass
@@ -57,10 +57,10 @@ def read(path):
 
     elements = [[int(word) for word in row.split()] for row in counted["Elements"]]
     assert all(element[2] == 2 for element in elements), "exactly two tags"
-    of = {kind: [e for e in elements if e[1] == kind] for kind in (LINE, TRIANGLE)}
-    assert len(of[LINE]) + len(of[TRIANGLE]) == len(elements)
-    corners = {kind: np.array([e[5:] for e in of[kind]]) - 1 for kind in of}
-    tags = {kind: np.array([e[3] for e in of[kind]]) for kind in of}
+    of = {kind: [e for e in elements if e[1] == kind] for kind in (LINE, TRIANGLE, POINT)}
+    assert sum(map(len, of.values())) == len(elements)
+    corners = {kind: np.array([e[5:] for e in of[kind]]) - 1 for kind in (LINE, TRIANGLE)}
+    tags = {kind: np.array([e[3] for e in of[kind]]) for kind in corners}
     return Mesh(
         points, corners[TRIANGLE], tags[TRIANGLE], corners[LINE], tags[LINE], names
     )

@@ -102,6 +102,13 @@ fn a_number_of_a_boundary_and_a_region_is_a_warning_that_unique_ids_end() {
 }
 
 #[test]
+fn numbers_that_tell_all_groups_apart_stay_as_they_are() {
+    let mesh = square([11, 12], [1, 1, 2, 2, 0], &[(1, 1, "wall")]);
+    assert_eq!(written(&mesh, UNIQUE), written(&mesh, POSITIVE));
+    assert_eq!(said(&mesh, UNIQUE), said(&mesh, POSITIVE));
+}
+
+#[test]
 fn a_name_for_what_is_untagged_holds_for_all_of_it() {
     let mesh = square([0, 0], [0; 5], &[(1, 0, "shore"), (2, 0, "water")]);
     assert_eq!(written(&mesh, POSITIVE), named(&[(1, 1, "shore"), (2, 2, "water")]));

@@ -1,8 +1,9 @@
 //! Input files as users write them, and what is refused.
 
-use super::read;
+use super::{read, write_with};
 use crate::error::Warning;
 use crate::mesh::Mesh;
+use crate::nodes::Order;
 use crate::pslg::Membership;
 
 const MESH: &str = "** a square\n*Heading\n a title, 3\n*NODE, NSET=NALL\n1, 0, 0, 0\n2,1.,0,0\n\
@@ -43,6 +44,44 @@ fn sets_and_surfaces_are_groups() {
     assert_eq!(groups(&mesh), expected);
     let skipped = "*END STEP, *HEADING, *STATIC, *STEP";
     assert_eq!(warnings, [format!("a.inp: 4 statements without effect on this mesh: {skipped}")]);
+}
+
+#[test]
+fn all_sides_between_two_regions_are_those_of_the_smaller_number() {
+    // Two squares side by side, cut the other way round; the weir between them runs up and on.
+    let points = vec![
+        [0., 0.],
+        [1., 0.],
+        [2., 0.],
+        [0., 1.],
+        [1., 1.],
+        [2., 1.],
+        [0., 2.],
+        [1., 2.],
+        [2., 2.],
+    ];
+    let mesh = Mesh {
+        points,
+        triangles: vec![
+            [1, 2, 4],
+            [2, 5, 4],
+            [0, 1, 3],
+            [1, 4, 3],
+            [3, 4, 6],
+            [4, 7, 6],
+            [4, 5, 7],
+            [5, 8, 7],
+        ],
+        triangle_tags: vec![9, 9, 4, 4, 4, 4, 9, 9],
+        edges: vec![[1, 4], [7, 4], [4, 3]],
+        edge_tags: vec![1, 1, 2],
+        ..Mesh::default()
+    };
+    let mut text = Vec::new();
+    write_with(&mesh, Order::First, &mut text).expect("a vector takes all");
+    let text = String::from_utf8(text).expect("text");
+    assert!(text.contains("NAME=boundary_1, TYPE=ELEMENT\n4, S1\n6, S1\n"), "{text}");
+    assert!(text.contains("NAME=boundary_2, TYPE=ELEMENT\n4, S2\n"), "{text}");
 }
 
 #[test]

@@ -1,18 +1,20 @@
 //! Writing `.inp`.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use crate::blocks::Blocks;
 use crate::groups::{Names, Note, Rules, Table};
 use crate::mesh::Mesh;
 use crate::nodes::{Nodes, Order};
+use crate::pslg::Tag;
 use crate::rows::{Rows, one_based};
 
 /// Writes a mesh, and says what became of its tags and names.
 ///
 /// A region is a set of elements (ELSET), a boundary a set of nodes (NSET) and a surface of the same
-/// name, a group of points a set of nodes. Names are single words there: other characters become
+/// name, a group of points a set of nodes. The sides of a surface between two regions are those of
+/// the region with the smaller number. Names are single words there: other characters become
 /// `_`. Markers, provenance and data are not written.
 ///
 /// # Errors
@@ -126,8 +128,8 @@ impl<W: Write> Lines<'_, W> {
                 continue;
             }
             self.rows.text(&format!("*SURFACE, NAME={name}, TYPE=ELEMENT\n"))?;
-            for &(triangle, side) in sides {
-                self.rows.text(&format!("{}, S{side}\n", triangle + 1))?;
+            for &Side { triangle, number, .. } in sides {
+                self.rows.text(&format!("{}, S{number}\n", triangle + 1))?;
             }
         }
         Ok(())
@@ -154,18 +156,35 @@ fn key(mesh: &Mesh, edge: u32) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// For each edge of the mesh: the first triangle that has it, and which of its sides it is.
-fn sides(mesh: &Mesh) -> BTreeMap<[u32; 2], (usize, u8)> {
+/// A side of a triangle.
+struct Side {
+    triangle: usize,
+    /// 1, 2 or 3.
+    number: u8,
+    /// Of two sides that are one edge, the lower one is taken.
+    rank: (Tag, bool),
+}
+
+/// For each edge of the mesh its side in a surface.
+///
+/// Between two regions it is that of the region with the smaller number, within one region that to
+/// the left of the edge: so what flows through a surface flows one way.
+fn sides(mesh: &Mesh) -> BTreeMap<[u32; 2], Side> {
     let mut is_end = vec![false; mesh.points.len()];
     mesh.edges.iter().flatten().for_each(|&end| is_end[end as usize] = true);
-    let asked: BTreeSet<[u32; 2]> =
-        (0..mesh.edges.len() as u32).map(|edge| key(mesh, edge)).collect();
-    let mut sides = BTreeMap::new();
+    let edges = (0..mesh.edges.len() as u32).map(|edge| (key(mesh, edge), edge));
+    let asked: BTreeMap<[u32; 2], u32> = edges.collect();
+    let mut sides: BTreeMap<[u32; 2], Side> = BTreeMap::new();
     for (triangle, &[a, b, c]) in mesh.triangles.iter().enumerate() {
-        for (side, [a, b]) in (1..).zip([[a, b], [b, c], [c, a]]) {
+        for (number, [a, b]) in (1..).zip([[a, b], [b, c], [c, a]]) {
             let key = [a.min(b), a.max(b)];
-            if is_end[a as usize] && is_end[b as usize] && asked.contains(&key) {
-                sides.entry(key).or_insert((triangle, side));
+            if !is_end[a as usize] || !is_end[b as usize] {
+                continue;
+            }
+            let Some(&edge) = asked.get(&key) else { continue };
+            let rank = (mesh.triangle_tag(triangle), mesh.edges[edge as usize] != [a, b]);
+            if sides.get(&key).is_none_or(|side| rank < side.rank) {
+                sides.insert(key, Side { triangle, number, rank });
             }
         }
     }

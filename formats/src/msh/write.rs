@@ -33,8 +33,8 @@ pub struct Options {
     /// Write an edge once, in its first group alone, and no groups of points: for programs that would
     /// count an edge twice, or keep its last group.
     pub one_group: bool,
-    /// Renumber the groups so that no number serves a boundary and a region: regions 1, 2, …,
-    /// then boundaries.
+    /// Renumber the groups where a number serves a boundary and a region: regions 1, 2, …, then
+    /// boundaries.
     pub unique_ids: bool,
 }
 
