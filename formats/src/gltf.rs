@@ -28,7 +28,8 @@ use parts::{Frame, Part, parts};
 pub struct Options<'a> {
     /// One file of text, `.gltf`, with the numbers as Base64 in it: a third larger.
     pub text: bool,
-    /// A colour (red, green, blue, opacity) for each triangle, in place of one for each region.
+    /// A colour (red, green, blue, opacity) as it is seen (sRGB) for each triangle, in place of one
+    /// for each region.
     /// Triangles then have their corners to themselves.
     pub colors: Option<&'a [[u8; 4]]>,
 }

@@ -12,7 +12,8 @@ pub enum Cells {
     /// Edges and triangles.
     #[default]
     All,
-    /// Triangles alone, with all points.
+    /// Triangles alone, with all points. A point without a marker has the tag of an edge that it is
+    /// on, the first in the mesh.
     Faces,
     /// Edges alone, with the points that they have and those that are in a group.
     Segments,
@@ -25,6 +26,7 @@ pub fn select(mesh: &Mesh, cells: Cells) -> Cow<'_, Mesh> {
         Cells::All => Cow::Borrowed(mesh),
         Cells::Faces => {
             let mut mesh = mesh.clone();
+            mark_ends(&mut mesh);
             keep_edges(&mut mesh, |_| false);
             mesh.groups.retain(|group| group.dim != 1);
             Cow::Owned(mesh)
@@ -53,6 +55,22 @@ pub fn without_interfaces(mesh: &Mesh) -> (Cow<'_, Mesh>, Option<Note>) {
     let mut lost = lost.into_iter();
     mesh.groups.retain(|_| lost.next() == Some(false));
     (Cow::Owned(mesh), Some(note))
+}
+
+/// Gives the ends of tagged edges the tag as their marker, where they have none.
+fn mark_ends(mesh: &mut Mesh) {
+    if mesh.edge_tags.iter().all(|&tag| tag == 0) {
+        return;
+    }
+    mesh.point_markers.resize(mesh.points.len(), 0);
+    for (edge, &tag) in mesh.edges.iter().zip(&mesh.edge_tags) {
+        for &end in edge {
+            let marker = &mut mesh.point_markers[end as usize];
+            if *marker == 0 {
+                *marker = tag;
+            }
+        }
+    }
 }
 
 fn further(memberships: &[Membership], tag: i32) -> bool {
@@ -199,5 +217,14 @@ mod tests {
         assert_eq!((&faces.points, &faces.triangles), (&mesh.points, &mesh.triangles));
         assert!(faces.edges.is_empty() && faces.edge_tags.is_empty());
         assert_eq!(faces.memberships, [Membership { dim: 0, item: 5, tag: 1 }]);
+        assert_eq!(faces.point_markers, [0, 4, 3, 4, 4, 0]);
+    }
+
+    #[test]
+    fn markers_of_points_stay_where_edges_go() {
+        let mesh = Mesh { point_markers: vec![0, 9, 0, -2, 0, 0], ..square() };
+        assert_eq!(select(&mesh, Cells::Faces).point_markers, [0, 9, 3, -2, 4, 0]);
+        let untagged = Mesh { edge_tags: Vec::new(), ..square() };
+        assert!(select(&untagged, Cells::Faces).point_markers.is_empty());
     }
 }

@@ -43,8 +43,8 @@ pub struct WriteOptions {
     /// programs read. In .stl coordinates are then single precision, and regions have no name.
     #[arg(long)]
     binary: bool,
-    /// Elements with a node in the middle of each side (2: .msh, .vtu, .vtk, .inp, .xdmf), or with
-    /// corners alone (1); the sides stay straight [default: 1].
+    /// Elements with a node in the middle of each side (2: .msh, .vtu, .vtk, .mesh, .inp, .xdmf), or
+    /// with corners alone (1); the sides stay straight [default: 1].
     #[arg(long, value_name = "ORDER", value_parser = one_of(ORDERS))]
     order: Option<Order>,
     /// The arrays of .vtu and .vtp: bytes (raw), a third larger within the XML (base64), or text;
@@ -92,13 +92,13 @@ impl WriteOptions {
     /// Refuses an option that none of the files is about; warns of a file that the solver does not
     /// read.
     pub fn check(&self, formats: &[Format], voice: &Voice) -> Result<(), Failure> {
-        use Format::{Glb, Gltf, Inp, Msh, Stl, Vtk, Vtp, Vtu, Xdmf};
+        use Format::{Glb, Gltf, Inp, Medit, Msh, Stl, Vtk, Vtp, Vtu, Xdmf};
         let holds_data: fn(Format) -> bool = |f| matches!(f, Msh | Vtu | Vtk | Xdmf);
         let asked: [Asked; 9] = [
             ("msh-version", self.msh_version.is_some(), |f| f == Msh),
             ("binary", self.binary, |f| matches!(f, Msh | Vtk | Stl)),
             ("order 2", self.order() == Order::Second, |f| {
-                matches!(f, Msh | Vtu | Vtk | Inp | Xdmf)
+                matches!(f, Msh | Vtu | Vtk | Medit | Inp | Xdmf)
             }),
             ("vtk-encoding", self.vtk_encoding.is_some(), |f| matches!(f, Vtu | Vtp)),
             ("compress", self.compress, |f| matches!(f, Vtu | Vtp)),
@@ -259,7 +259,7 @@ impl Prepared<'_> {
                 let (text, colors) = (format == Format::Gltf, self.colors.as_deref());
                 gltf::write_with(mesh, gltf::Options { text, colors }, &mut out)
             }
-            Format::Medit => medit::write(mesh, &mut out),
+            Format::Medit => medit::write_with(mesh, order, &mut out),
             Format::Su2 => su2::write(mesh, &mut out),
             Format::Inp => inp::write_with(mesh, order, &mut out),
             Format::Xdmf => xdmf::write_with(mesh, order, &mut out),

@@ -24,7 +24,7 @@ fn an_option_that_no_output_is_about_is_wrong_usage() {
     for (option, formats) in [
         ("--msh-version 4.1", ".msh"),
         ("--binary", ".msh, .vtk, .stl"),
-        ("--order 2", ".msh, .vtu, .vtk, .inp, .xdmf"),
+        ("--order 2", ".msh, .vtu, .vtk, .mesh, .inp, .xdmf"),
         ("--vtk-encoding ascii", ".vtu, .vtp"),
         ("--compress", ".vtu, .vtp"),
         ("--data quality", ".msh, .vtu, .vtk, .xdmf"),

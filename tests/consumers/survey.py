@@ -34,6 +34,8 @@ class Seen:
     groups: list = field(default_factory=list)
     error: float | None = None  # of the problem's solution, at most
     digits: int | None = None  # how many the program prints, where it does not print them all
+    method_error: float = 0.0  # what its method may be off, by the range of the solution
+    at_points: dict | None = None  # the points that have each number, for programs that know no edges
 
 
 def judge(seen, mesh):
@@ -60,8 +62,15 @@ def judge(seen, mesh):
         by = {"names": all_there(names, by_name), "numbers": all_there(numbers, sizes)}
         return [what for what, there in by.items() if there]
 
+    solved = None
     if seen.error is not None:
-        assert seen.error <= max(tolerance, 1e-9), f"the solution is off by {seen.error}"
+        assert seen.error <= max(tolerance, 1e-9, seen.method_error), f"off by {seen.error}"
+        solved = f"to {seen.method_error:.0%}" if seen.method_error else "exactly"
+    boundaries = kept(1, {tag: lengths[tag] for tag in answers.FIXED})
+    interface = kept(1, {7: lengths[7]})
+    if seen.at_points is not None:
+        numbers_stand_at_points(seen.at_points, mesh)
+        boundaries = interface = ["numbers of points"]
     return {
         "program": seen.program,
         "version": seen.version,
@@ -71,12 +80,25 @@ def judge(seen, mesh):
         "triangles": len(mesh.triangles),
         "coordinates": coordinates,
         "regions": kept(2, answers.AREAS),
-        "boundaries": kept(1, {tag: lengths[tag] for tag in answers.FIXED}),
-        "interface": kept(1, {7: lengths[7]}),
+        "boundaries": boundaries,
+        "interface": interface,
         "second group of an edge": kept(1, {21: lengths[21]}),
         "group of a point": kept(0, {40: 1}),
-        "solved": seen.error is not None,
+        "solved": solved,
     }
+
+
+def numbers_stand_at_points(found, mesh):
+    """Asserts that the points with a number are on an edge that has it, and that all points of edges
+    have one."""
+    wanted = {}
+    for edge, tag in zip(mesh.edges, mesh.edge_tags.tolist()):
+        for end in edge:
+            wanted.setdefault(tuple(mesh.points[end]), set()).add(tag)
+    numbered = {tuple(point): tag for tag, points in found.items() for point in points}
+    assert numbered.keys() == wanted.keys()
+    assert all(tag in wanted[point] for point, tag in numbered.items())
+    assert set(numbered.values()) >= set(answers.LENGTHS)
 
 
 def judge_points(found, wanted, digits):

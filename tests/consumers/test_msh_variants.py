@@ -168,3 +168,18 @@ def test_meshio_reads_the_data_of_nodes(options, tmp_path):
     [values] = mesh.point_data.values()
     x, y, _ = mesh.points.T
     assert np.allclose(np.ravel(values), 3 * x - 2 * y + 1, atol=1e-12)
+
+
+def test_gmsh_reads_the_second_order_elements_of_medit(named_rooms):
+    gmsh.initialize(["gmsh", "-v", "2"])
+    gmsh.logger.start()
+    gmsh.open(str(named_rooms("rooms.mesh", "--order", "2")))
+    complaints, kinds = gmsh.logger.get(), set(gmsh.model.mesh.getElementTypes())
+    areas = {}
+    for dim, entity in gmsh.model.getEntities(2):
+        [found] = gmsh.model.mesh.getElements(dim, entity)[1]
+        areas[entity] = float(gmsh.model.mesh.getElementQualities(found, "volume").sum())
+    gmsh.finalize()
+    assert complaints == []
+    assert {LINE_3, TRIANGLE_6} <= kinds <= {LINE_3, TRIANGLE_6, POINT}
+    assert answers.same(areas, answers.AREAS), "an entity has the number of its elements"

@@ -1,5 +1,6 @@
 //! The vertices and indices of each group.
 
+use std::cmp::Reverse;
 use std::io;
 
 use crate::groups::Table;
@@ -123,8 +124,8 @@ impl Part {
 /// Numbers that are gathered before they are handed on.
 const BLOCK: usize = 1 << 14;
 
-/// The parts of all groups that have cells, in the order of the table; triangles in their own
-/// `colors`, where there are some.
+/// The parts of all groups that have cells, regions first, else in the order of the table; triangles
+/// in their own `colors`, where there are some.
 pub(super) fn parts(
     mesh: &Mesh,
     table: &Table,
@@ -140,12 +141,15 @@ pub(super) fn parts(
         let group = table.region(mesh.triangle_tag(index));
         corners[group].extend(triangle);
         if let Some(colors) = colors {
-            own[group].extend([colors.get(index).copied().unwrap_or(NO_COLOR); 3]);
+            own[group].extend([linear(colors.get(index).copied().unwrap_or(NO_COLOR)); 3]);
         }
     }
     let mut local = vec![u32::MAX; mesh.points.len()];
     let used = corners.into_iter().enumerate().filter(|(_, corners)| !corners.is_empty());
-    used.map(|(group, corners)| {
+    let mut used: Vec<(usize, Vec<u32>)> = used.collect();
+    // What is drawn later covers what lies at the same place: lines come last.
+    used.sort_by_key(|&(group, _)| Reverse(table.entries[group].dim));
+    let parts = used.into_iter().map(|(group, corners)| {
         let dim = table.entries[group].dim;
         let colors = std::mem::take(&mut own[group]);
         let mut part = part(group, corners, dim, mesh, frame, &mut local);
@@ -153,8 +157,8 @@ pub(super) fn parts(
             part.give_corners_to_triangles(colors);
         }
         part
-    })
-    .collect()
+    });
+    parts.collect()
 }
 
 /// One part; `local` is all `u32::MAX` before and after.
@@ -185,7 +189,7 @@ fn part(
         local[vertex as usize] = u32::MAX;
     }
     let color: &[[u8; 4]] = if dim == 1 { &LINES } else { &REGIONS };
-    let color = Color::One(color[group % color.len()]);
+    let color = Color::One(linear(color[group % color.len()]));
     Part { group, vertices, indices: corners, color, least, most }
 }
 
@@ -211,3 +215,41 @@ const LINES: [[u8; 4]; 6] = [
     [150, 80, 10, 255],
     [40, 40, 40, 255],
 ];
+
+/// The colour that glTF holds for one as it is seen: its channels count light.
+fn linear([red, green, blue, opacity]: [u8; 4]) -> [u8; 4] {
+    let [red, green, blue] = [red, green, blue].map(|channel| LINEAR[usize::from(channel)]);
+    [red, green, blue, opacity]
+}
+
+/// The light of each channel of sRGB (IEC 61966-2-1), from 0 to 255.
+#[rustfmt::skip]
+const LINEAR: [u8; 256] = [
+    0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3,
+    4, 4, 4, 4, 4, 5, 5, 5, 5, 6, 6, 6, 6, 7, 7, 7, 8, 8, 8, 8, 9, 9, 9, 10, 10, 10, 11, 11, 12, 12,
+    12, 13, 13, 13, 14, 14, 15, 15, 16, 16, 17, 17, 17, 18, 18, 19, 19, 20, 20, 21, 22, 22, 23, 23,
+    24, 24, 25, 25, 26, 27, 27, 28, 29, 29, 30, 30, 31, 32, 32, 33, 34, 35, 35, 36, 37, 37, 38, 39,
+    40, 41, 41, 42, 43, 44, 45, 45, 46, 47, 48, 49, 50, 51, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60,
+    61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 76, 77, 78, 79, 80, 81, 82, 84, 85, 86,
+    87, 88, 90, 91, 92, 93, 95, 96, 97, 99, 100, 101, 103, 104, 105, 107, 108, 109, 111, 112, 114,
+    115, 116, 118, 119, 121, 122, 124, 125, 127, 128, 130, 131, 133, 134, 136, 138, 139, 141, 142,
+    144, 146, 147, 149, 151, 152, 154, 156, 157, 159, 161, 163, 164, 166, 168, 170, 171, 173, 175,
+    177, 179, 181, 183, 184, 186, 188, 190, 192, 194, 196, 198, 200, 202, 204, 206, 208, 210, 212,
+    214, 216, 218, 220, 222, 224, 226, 229, 231, 233, 235, 237, 239, 242, 244, 246, 248, 250, 253,
+    255,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::LINEAR;
+
+    #[test]
+    fn channels_count_light() {
+        for (channel, light) in LINEAR.into_iter().enumerate() {
+            let seen = channel as f64 / 255.0;
+            let exact =
+                if seen <= 0.04045 { seen / 12.92 } else { ((seen + 0.055) / 1.055).powf(2.4) };
+            assert!((f64::from(light) - 255.0 * exact).abs() <= 0.5, "{channel}: {light}");
+        }
+    }
+}

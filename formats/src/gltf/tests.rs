@@ -41,9 +41,9 @@ fn each_group_is_a_node_with_its_name_and_tag() {
     let nodes = json["nodes"].as_array().unwrap();
     let told: Vec<_> = nodes.iter().map(|node| (&node["name"], &node["extras"])).collect();
     let expected = [
-        (&json!("rand außen"), &json!({ "tag": 8, "dim": 1 })),
         (&json!("region_-7"), &json!({ "tag": -7, "dim": 2 })),
         (&json!("sand"), &json!({ "tag": 8, "dim": 2 })),
+        (&json!("rand außen"), &json!({ "tag": 8, "dim": 1 })),
     ];
     assert_eq!(told, expected);
     assert_eq!(json["scenes"][0]["nodes"], json!([0, 1, 2]));
@@ -57,18 +57,18 @@ fn positions_are_relative_to_the_origin_that_the_root_tells() {
         .chunks_exact(4)
         .map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap()))
         .collect();
-    // The edges of the first group meet points 2, 3 and 0.
-    assert_eq!(positions, [0.25, 0.5, 0.0, -0.25, 0.5, 0.0, -0.25, -0.5, 0.0]);
+    // The triangle of the first group has points 0, 1 and 2.
+    assert_eq!(positions, [-0.25, -0.5, 0.0, 0.25, -0.5, 0.0, 0.25, 0.5, 0.0]);
     let accessor = &json["accessors"][0];
     assert_eq!(accessor["min"], json!([-0.25, -0.5, 0.0]));
     assert_eq!(accessor["max"], json!([0.25, 0.5, 0.0]));
 }
 
 #[test]
-fn lines_and_triangles_have_colours_and_no_light() {
+fn lines_come_after_triangles_and_all_have_colours_and_no_light() {
     let (json, _) = chunks(&square());
     let modes: Vec<_> = (0..3).map(|i| &json["meshes"][i]["primitives"][0]["mode"]).collect();
-    assert_eq!(modes, [&json!(1), &Value::Null, &Value::Null], "lines; triangles by default");
+    assert_eq!(modes, [&Value::Null, &Value::Null, &json!(1)], "triangles by default; lines");
     let colors = json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].as_u64().unwrap();
     let accessor = &json["accessors"][colors as usize];
     assert_eq!(accessor["componentType"], 5121);
@@ -118,15 +118,15 @@ fn a_file_of_text_holds_the_same_bytes_as_base64() {
     let uri = json["buffers"][0]["uri"].as_str().unwrap().to_owned();
     let words = uri.strip_prefix("data:application/octet-stream;base64,").unwrap();
     assert_eq!(words.len(), bytes.len().div_ceil(3) * 4);
-    // The first position, 0.25 0.5 0: 0000803e 0000003f 00000000.
-    assert!(words.starts_with("AACAPgAAAD8AAAAA"), "{words}");
+    // The first position, -0.25 -0.5 0: 000080be 000000bf 00000000.
+    assert!(words.starts_with("AACAvgAAAL8AAAAA"), "{words}");
     binary_json["buffers"][0]["uri"] = json!(uri);
     assert_eq!(json, binary_json, "all else is the same");
 }
 
 #[test]
 fn triangles_of_their_own_colours_share_no_vertex() {
-    let colors = [[1, 2, 3, 255], [4, 5, 6, 255]];
+    let colors = [[255, 188, 0, 255], [137, 255, 99, 255]];
     let mesh = Mesh { triangle_tags: vec![7, 7], ..square() };
     let mut bytes = Vec::new();
     let options = Options { colors: Some(&colors), ..Options::default() };
@@ -134,14 +134,15 @@ fn triangles_of_their_own_colours_share_no_vertex() {
     let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
     let json: Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
     let binary = &bytes[28 + length..];
-    let region = &json["meshes"][1]["primitives"][0];
+    let region = &json["meshes"][0]["primitives"][0];
     let array = |accessor: &Value, size: usize| {
         let accessor = &json["accessors"][accessor.as_u64().unwrap() as usize];
         let view = &json["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
         let start = view["byteOffset"].as_u64().unwrap() as usize;
         binary[start..start + size * accessor["count"].as_u64().unwrap() as usize].to_vec()
     };
-    let expected = [[colors[0]; 3], [colors[1]; 3]].concat().concat();
+    let light = [[255, 128, 0, 255], [64, 255, 32, 255]];
+    let expected = [[light[0]; 3], [light[1]; 3]].concat().concat();
     assert_eq!(array(&region["attributes"]["COLOR_0"], 4), expected);
     assert_eq!(array(&region["indices"], 4), [0_u32, 1, 2, 3, 4, 5].map(u32::to_le_bytes).concat());
 }

@@ -4,9 +4,11 @@ use std::io::{self, Write};
 
 use crate::groups::{Note, numbers_only};
 use crate::mesh::Mesh;
+use crate::nodes::{Nodes, Order};
+use crate::pslg::Tag;
 use crate::rows::{Rows, one_based};
 
-/// Writes a mesh, and says what became of its tags and names.
+/// Writes a mesh with corners alone, and says what became of its tags and names.
 ///
 /// Numbers are the user's, also those below 1. A vertex has its marker or, where there are no
 /// markers, the number of a group of points that it is in. Names, provenance and data are not
@@ -33,30 +35,58 @@ use crate::rows::{Rows, one_based};
 /// # Ok::<(), std::io::Error>(())
 /// ```
 pub fn write(mesh: &Mesh, out: &mut impl Write) -> io::Result<Vec<Note>> {
+    write_with(mesh, Order::First, out)
+}
+
+/// Writes a mesh as [`write()`] does, in elements of this order.
+///
+/// Those of second order stand in `EdgesP2` and `TrianglesP2`: corners, then the middles of the sides
+/// 1–2, 2–3, 3–1, whose vertices have the number 0.
+///
+/// # Errors
+/// Those of `out`; [`io::ErrorKind::FileTooLarge`] for more vertices than 32 bits can number.
+pub fn write_with(mesh: &Mesh, order: Order, out: &mut impl Write) -> io::Result<Vec<Note>> {
+    let nodes = Nodes::new(mesh, order)?;
     let mut rows = Rows::new(out);
     rows.text("MeshVersionFormatted 2\nDimension 2\nVertices\n")?;
-    rows.integers(&[mesh.points.len() as i64])?;
+    rows.integers(&[nodes.len() as i64])?;
     let (numbers, notes) = point_numbers(mesh);
-    for (point, &[x, y]) in mesh.points.iter().enumerate() {
+    for (node, [x, y]) in nodes.points().enumerate() {
         rows.real(x);
         rows.real(y);
-        rows.integer(numbers.get(point).copied().unwrap_or(0));
+        rows.integer(numbers.get(node).copied().unwrap_or(0));
         rows.end()?;
     }
-    rows.text("Edges\n")?;
-    rows.integers(&[mesh.edges.len() as i64])?;
-    for (edge, &[a, b]) in mesh.edges.iter().enumerate() {
-        rows.integers(&[one_based(a), one_based(b), mesh.edge_tag(edge).into()])?;
+    let suffix = if order == Order::Second { "P2" } else { "" };
+    // SfePy takes an empty list for a kind of cells, and refuses a mesh of two kinds.
+    if !mesh.edges.is_empty() {
+        rows.text(&format!("Edges{suffix}\n"))?;
+        rows.integers(&[mesh.edges.len() as i64])?;
     }
-    rows.text("Triangles\n")?;
-    rows.integers(&[mesh.triangles.len() as i64])?;
-    for (triangle, corners) in mesh.triangles.iter().enumerate() {
-        let [a, b, c] = corners.map(one_based);
-        rows.integers(&[a, b, c, mesh.triangle_tag(triangle).into()])?;
+    for edge in 0..mesh.edges.len() {
+        cell(&mut rows, nodes.edge(edge), mesh.edge_tag(edge))?;
+    }
+    if !mesh.triangles.is_empty() {
+        rows.text(&format!("Triangles{suffix}\n"))?;
+        rows.integers(&[mesh.triangles.len() as i64])?;
+    }
+    for triangle in 0..mesh.triangles.len() {
+        cell(&mut rows, nodes.triangle(triangle), mesh.triangle_tag(triangle))?;
     }
     rows.text("End\n")?;
     rows.finish()?;
     Ok(notes)
+}
+
+/// A cell: its nodes and its number.
+fn cell<W: Write>(
+    rows: &mut Rows<'_, W>,
+    nodes: impl Iterator<Item = u32>,
+    tag: Tag,
+) -> io::Result<()> {
+    nodes.for_each(|node| rows.integer(one_based(node)));
+    rows.integer(tag);
+    rows.end()
 }
 
 /// The number of each point, and what becomes of all that is no number of one group.
