@@ -54,8 +54,8 @@ pub struct WriteOptions {
     /// Compress the arrays of .vtu and .vtp with zlib: smaller and slower; fewer programs read it.
     #[arg(long)]
     compress: bool,
-    /// What cells files hold: all, triangles alone (faces; boundaries are lost), or edges with their
-    /// points (segments; regions are lost) [default: all].
+    /// What cells files hold: all, triangles alone (faces; of boundaries points keep the number, where
+    /// the format has one), or edges with their points (segments; regions are lost) [default: all].
     #[arg(long, value_parser = one_of(CELLS))]
     cells: Option<Cells>,
     /// What becomes of edges between two triangles (drop: their tags and names are lost)

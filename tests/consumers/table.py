@@ -24,15 +24,18 @@ def cells(row):
 
 def table(rows):
     """The whole table."""
-    lines = [HEAD, ["---"] * len(HEAD), *map(cells, rows)]
-    return "".join("| " + " | ".join(line) + " |\n" for line in lines).replace("|  |", "| |")
+    lines = [f"{line_of(HEAD)}{'|---' * len(HEAD)}|\n", *map(line_of, map(cells, rows))]
+    return "".join(lines)
+
+
+def line_of(words):
+    return "".join(f"| {word} " if word else "| " for word in words) + "|\n"
 
 
 def renew():
     """Puts the table where the old one stands."""
     text = README.read_text()
-    head = re.escape("| " + " | ".join(HEAD) + " |\n")
-    renewed, count = re.subn(head + r"(\|.*\n)*", lambda _: table(survey.rows()), text)
+    renewed, count = re.subn(re.escape(line_of(HEAD)) + r"(\|.*\n)*", lambda _: table(survey.rows()), text)
     assert count == 1, "the README has one such table"
     README.write_text(renewed)
 

@@ -210,5 +210,5 @@ def test_trimesh_glb(named_rooms, hold):
 
 def test_the_readme_has_the_table_that_was_recorded():
     rows = survey.rows()
-    assert len(rows) > 20
+    assert len(rows) >= 20
     assert table.table(rows) in table.README.read_text()

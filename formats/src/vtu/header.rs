@@ -109,6 +109,7 @@ impl Header {
         match tag.name().as_ref() {
             "VTKFile" => {
                 one_of("type", "UnstructuredGrid", "")?;
+                one_of("version", "0.1 or 1.0 or 2.0 or 2.1 or 2.2 or 2.3", "0.1")?;
                 let orders = "LittleEndian or BigEndian";
                 self.is_big_endian = one_of("byte_order", orders, "LittleEndian")? == 1;
                 self.is_wide = one_of("header_type", "UInt32 or UInt64", "UInt32")? == 1;

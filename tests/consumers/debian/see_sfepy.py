@@ -37,18 +37,19 @@ field = Field.from_args("temperature", np.float64, 1, rooms, approx_order=1)
 u = FieldVariable("u", "unknown", field)
 v = FieldVariable("v", "test", field, primary_var_name="u")
 integral = Integral("i", order=2)
-terms = 0
+terms = None
 for tag, conductivity in ((11, 2.0), (12, 5.0)):
     material = Material(f"m{tag}", k=conductivity)
-    terms += Term.new(f"dw_laplace(m{tag}.k, v, u)", integral, cells[tag], **{f"m{tag}": material},
-                      v=v, u=u)  # fmt: skip
+    kind, materials = f"dw_laplace(m{tag}.k, v, u)", {f"m{tag}": material}
+    term = Term.new(kind, integral, cells[tag], **materials, v=v, u=u)
+    terms = term if terms is None else terms + term
 given = Function("given", lambda ts, coors, **_: exact(*coors.T))
 fixed = [EssentialBC(f"fixed_{tag}", region, {"u.0": given}) for tag, region in sides.items()
          if tag in (1, 2, 3, 9)]  # fmt: skip
 problem = Problem("heat", equations=Equations([Equation("balance", terms)]))
 problem.set_bcs(ebcs=Conditions(fixed))
 problem.set_solver(Newton({}, lin_solver=ScipyDirect({})))
-solution = problem.solve(save_results=False).get_state_parts()["u"]
+solution = problem.solve(save_results=False).get_parts()["u"]
 print(json.dumps({
     "version": sfepy.__version__,
     "points": mesh.coors.tolist(),
