@@ -7,11 +7,13 @@
 //! Read is what plane geometries use: variables, lists, texts, functions, `If`, `For`, `Macro`,
 //! `Include`; points, lines, circles, ellipses and splines; curve loops and plane surfaces;
 //! transformations, copies, extrusions within the plane, coherence; rectangles, disks, circles and
-//! ellipses of OpenCASCADE; sizes at points, transfinite curves; embedded points and curves;
-//! physical groups. Not read: volumes, boolean operations but for a difference of surfaces that lie
-//! inside one another, files of other programs. Statements
-//! about display, size fields, structured or periodic meshes are passed over and counted in one
-//! warning.
+//! ellipses of OpenCASCADE and its boolean operations on surfaces of straight lines and circles
+//! (holes may be of any curves); sizes at points, transfinite curves; embedded points and curves;
+//! physical groups. Not read: volumes, files of other programs. Statements about display, size
+//! fields, structured or periodic meshes are passed over and counted in one warning.
+//!
+//! What a boolean operation makes has the numbers that Gmsh 4.15 gives it; the curves of a union
+//! are not to be named by number.
 //!
 //! Surfaces become regions with the number of their physical group, curves become segments. Only
 //! what a surface covers is meshed. A script without any physical group has each surface and each

@@ -8,7 +8,7 @@ use crate::error::{Excerpt, Found};
 /// What this reader takes, for the help of messages.
 const SUBSET: &str = "read are points, lines, arcs, splines and plane surfaces, their \
                       transformations, extrusions within the plane, and Rectangle, Disk, Circle, \
-                      Ellipse of OpenCASCADE";
+                      Ellipse of OpenCASCADE with boolean operations on straight lines and circles";
 
 /// A script that cannot be read: the place and the problem.
 ///
@@ -195,7 +195,7 @@ pub enum Problem {
         surface: i32,
     },
     /// A curve is named whose number boolean operations have changed.
-    #[error("the number of curve {curve} after BooleanDifference is not known here")]
+    #[error("the number of curve {curve} after a boolean operation is not known here")]
     Unsure {
         /// The curve, as it is counted here.
         curve: i32,

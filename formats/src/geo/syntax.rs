@@ -303,9 +303,22 @@ pub(super) enum Operation {
     /// `PointsOf`
     PointsOf,
     /// `BooleanDifference{ shapes }{ tools }`, `BooleanDifference(tag) = { shapes }{ tools }`
-    Difference { tag: Option<Expression>, tools: Shapes },
+    Boolean { kind: BooleanKind, tag: Option<Expression>, tools: Shapes },
     /// An operation that is not read, by its name.
     Unsupported(String),
+}
+
+/// What a boolean operation keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum BooleanKind {
+    /// Everything, as one.
+    Union,
+    /// What is in objects and in tools.
+    Intersection,
+    /// What is in objects and in no tool.
+    Difference,
+    /// Everything, cut where shapes meet.
+    Fragments,
 }
 
 /// Shapes in braces.

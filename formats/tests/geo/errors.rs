@@ -121,16 +121,13 @@ fn an_entity_is_not_made_twice() {
 }
 
 #[test]
-fn solids_and_booleans_are_refused_by_name() {
+fn what_no_plane_has_is_refused_by_name() {
     let subset = "help: read are points, lines, arcs";
     for (statement, name) in [
         ("Volume(1) = {1};", "Volume"),
         ("Surface Loop(1) = {1};", "Surface Loop"),
         ("Box(1) = {0, 0, 0, 1, 1, 1};", "Box"),
-        (
-            "v[] = BooleanFragments{ Surface{1}; Delete; }{ Surface{2}; Delete; };",
-            "BooleanFragments",
-        ),
+        ("v[] = Affine{ {1, 0, 0} }{ Surface{1}; };", "Affine"),
         ("SystemCall \"rm -rf x\";", "SystemCall"),
         ("Compound Surface(3) = {1, 2};", "Compound Surface"),
     ] {

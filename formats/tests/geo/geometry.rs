@@ -213,46 +213,6 @@ fn shapes_of_opencascade_need_no_points() {
 }
 
 #[test]
-fn a_difference_takes_what_lies_inside_out() {
-    let script = "SetFactory(\"OpenCASCADE\");\nDisk(1) = {0, 0, 0, 0.5}; Disk(2) = {0, 0, 0, 2};\n\
-                  v() = BooleanDifference{ Surface{2}; Delete; }{ Surface{1}; Delete; };\n\
-                  Physical Curve(1) = {1}; Physical Curve(5) = {2}; Physical Surface(9) = {v()};";
-    let pslg = read(script);
-    assert_eq!(pslg.regions.iter().map(|region| region.tag).collect::<Vec<_>>(), [9]);
-    let [x, y] = pslg.regions[0].seed;
-    assert!((0.5..2.0).contains(&libm::hypot(x, y)));
-    let radius = |tag: i32| {
-        let of = pslg.segment_tags.iter().position(|&other| other == tag).expect("it is there");
-        let [x, y] = pslg.points[pslg.segments[of][0] as usize];
-        libm::hypot(x, y)
-    };
-    assert!((radius(1) - 0.5).abs() < 1e-15 && (radius(5) - 2.0).abs() < 1e-15);
-    let kept = read(&script.replace("1}; Delete;", "1};").replace("(9) = {v()}", "(9) = {1}"));
-    assert_eq!(kept.regions.len(), 2, "the tool stays");
-}
-
-#[test]
-fn a_difference_of_what_is_not_inside_is_refused() {
-    for tool in ["0.9, 0.5, 0, 0.2", "3, 3, 0, 0.2", "0.5, 0.5, 0, 5", "0.5, 0.15, 0, 0.2"] {
-        let script = format!(
-            "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {{0, 0, 0, 1, 1}};\nDisk(2) = {{{tool}}};\n\
-             BooleanDifference(3) = {{ Surface{{1}}; Delete; }}{{ Surface{{2}}; Delete; }};"
-        );
-        let message = error(&script);
-        assert!(
-            message.starts_with("4:1: surface 3: BooleanDifference is read only where"),
-            "{message}"
-        );
-    }
-    let named = "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 1, 1};\n\
-                 Disk(2) = {0.5, 0.5, 0, 0.2};\n\
-                 BooleanDifference{ Surface{1}; Delete; }{ Surface{2}; Delete; }\n\
-                 Physical Curve(1) = {6};";
-    let message = "5:1: the number of curve 6 after BooleanDifference is not known here";
-    assert_eq!(error(named), message);
-}
-
-#[test]
 fn a_dilated_circle_is_an_ellipse() {
     let script = "SetFactory(\"OpenCASCADE\"); Circle(5) = {0, 0, 0, 1, 0, 2*Pi};\n\
                   Dilate {{0, 0, 0}, {2, 1, 1}} { Curve{5}; }\n\

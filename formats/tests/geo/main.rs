@@ -1,5 +1,6 @@
 //! Gmsh's `.geo` scripts: the language, the geometry, the outline it becomes, what is refused.
 
+mod booleans;
 mod errors;
 mod geometry;
 mod groups;

@@ -165,13 +165,6 @@ fn uncompressed(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
     Ok(text)
 }
 
-/// Scripts of `geo/` with boolean operations that are refused by name and line.
-const WITH_BOOLEANS: [&str; 3] = [
-    "TEAR-ERC_tandem__tandem_2d_tutorial.geo",
-    "christian-pedersen_fog_nets__mesh_mesh.geo",
-    "feelpp_feelpp__cases_rht_fin.geo",
-];
-
 /// A script of `geo/` whose circle of arcs turns back: two arcs of a half and two of a quarter.
 const TURNING_BACK: &str = "hudson-br_ellipsoidal-void__domain.geo";
 
@@ -183,10 +176,9 @@ const LOST_GROUP: &str = "feelpp_feelpp__hdg_cvg-mp-tests_darcy2D.geo";
 
 /// An entry of `geo/expected.json`. Curves may be cut to chords: areas are within 1 %.
 fn script(name: &str, case: &Value) -> Case {
-    let is_refused = WITH_BOOLEANS.contains(&name) || name == TURNING_BACK;
+    let is_refused = name == TURNING_BACK;
     let differs = match name {
         TURNING_BACK => Some("refused: its arcs run back over one another"),
-        _ if is_refused => Some("refused: a boolean operation that is not read"),
         _ if name == TWICE.0 => Some("the area counts a surface once"),
         LOST_GROUP => Some("the group keeps its number"),
         _ => None,

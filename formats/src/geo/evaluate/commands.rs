@@ -3,9 +3,11 @@
 use super::Evaluator;
 use super::value::whole;
 use crate::geo::error::Problem;
-use crate::geo::model::{Difference, Extrusion, Motion, Shape, Spread, Sweep, unknown};
+use crate::geo::model::{Boolean, Extrusion, Motion, Shape, Spread, Sweep, unknown};
 use crate::geo::sources::Answer;
-use crate::geo::syntax::{Command, Expression, Operation, Place, Shape as ShapeSyntax, Shapes};
+use crate::geo::syntax::{
+    BooleanKind, Command, Expression, Operation, Place, Shape as ShapeSyntax, Shapes,
+};
 
 impl Evaluator<'_, '_> {
     /// Does an operation; the shapes that it makes or finds.
@@ -74,8 +76,8 @@ impl Evaluator<'_, '_> {
                 self.spend(work, place)?;
                 return self.model.points_of(&shapes).map_err(|problem| problem.at(place));
             }
-            Operation::Difference { tag, tools } => {
-                return self.subtract(command, &shapes, tag.as_ref(), tools);
+            Operation::Boolean { kind, tag, tools } => {
+                return self.combine(command, *kind, &shapes, tag.as_ref(), tools);
             }
             Operation::Unsupported(name) => return Err(super::unsupported(name).at(place)),
         }
@@ -83,9 +85,10 @@ impl Evaluator<'_, '_> {
     }
 
     /// `BooleanDifference{ Surface{1}; Delete; }{ Surface{2}; Delete; }`
-    fn subtract(
+    fn combine(
         &mut self,
         command: &Command,
+        kind: BooleanKind,
         objects: &[Shape],
         tag: Option<&Expression>,
         tools: &Shapes,
@@ -94,17 +97,20 @@ impl Evaluator<'_, '_> {
         let tag = tag.map(|tag| self.tag(tag, "the number of a surface")).transpose()?;
         let delete_tools = tools.delete;
         let tools = self.shapes(tools)?;
-        let (&[(2, object)], true) = (objects, tools.iter().all(|&(dim, _)| dim == 2)) else {
-            let what = "BooleanDifference of anything but surfaces from one surface";
-            return Err(super::unsupported(what).at(place));
+        // Every curve is held against every other one.
+        let shapes = [objects, &tools].concat();
+        let curves = self.work_of(&shapes) / super::budget::ENTITY;
+        self.spend(self.model.size() * shapes.len() as u64 + curves * curves, place)?;
+        let how = Boolean {
+            place,
+            kind,
+            tag,
+            objects,
+            delete_objects: command.shapes.delete,
+            tools: &tools,
+            delete_tools,
         };
-        let tools: Vec<i32> = tools.into_iter().map(|(_, tag)| tag).collect();
-        let work = self.model.size() * (1 + tools.len() as u64);
-        self.spend(work, place)?;
-        let delete_object = command.shapes.delete;
-        let how = Difference { place, tag, object, delete_object, tools: &tools, delete_tools };
-        let made = self.model.subtract(&how).map_err(|problem| problem.at(place))?;
-        Ok(vec![(2, made)])
+        self.model.combine(&how).map_err(|problem| problem.at(place))
     }
 
     /// A direction.

@@ -5,7 +5,8 @@
 //!           | 'Symmetry' list shapes | 'Dilate' '{' item ',' item '}' shapes
 //!           | 'Extrude' (list | '{' item ',' item ',' item '}') shapes
 //!           | ('Duplicata' | 'Boundary' | 'CombinedBoundary' | 'PointsOf') shapes
-//!           | 'BooleanDifference' ['(' item ')' '='] shapes shapes
+//!           | boolean ['(' item ')' '='] shapes shapes
+//! boolean  := 'BooleanUnion' | 'BooleanIntersection' | 'BooleanDifference' | 'BooleanFragments'
 //! shapes   := '{' (shape [';'])* '}'
 //! shape    := ['Physical'] dimension (list | '{' ':' '}') | command
 //!           | 'Delete' | 'Recursive' 'Delete' | 'Layers' … | 'Recombine' … | 'Using' …
@@ -19,7 +20,7 @@ use nom::{Err, Parser};
 use super::expressions::{all, dimension, list, must_item};
 use super::input::{Parsed, Text};
 use super::tokens::{Until, blank, keyword, must, passed_over, symbol, word};
-use crate::geo::syntax::{Command, Expression, Operation, Shape, Shapes, Term};
+use crate::geo::syntax::{BooleanKind, Command, Expression, Operation, Shape, Shapes, Term};
 
 /// An operation on shapes.
 pub(super) fn command(input: Text) -> Parsed<Command> {
@@ -31,9 +32,9 @@ pub(super) fn command(input: Text) -> Parsed<Command> {
     }
     let (rest, shapes) = shapes(rest)?;
     let (rest, operation) = match operation {
-        Operation::Difference { tag, .. } => {
+        Operation::Boolean { kind, tag, .. } => {
             let (rest, tools) = self::shapes(rest)?;
-            (rest, Operation::Difference { tag, tools })
+            (rest, Operation::Boolean { kind, tag, tools })
         }
         operation => (rest, operation),
     };
@@ -58,23 +59,24 @@ fn operation(input: Text) -> Parsed<Operation> {
         "Boundary" => Ok((rest, Operation::Boundary { combined: false })),
         "CombinedBoundary" => Ok((rest, Operation::Boundary { combined: true })),
         "PointsOf" => Ok((rest, Operation::PointsOf)),
-        "BooleanDifference" => {
-            let tag = symbol("(").and(must_item).and(must(")")).and(must("="));
-            let (rest, tag) = opt(tag).parse(rest)?;
-            let tag = tag.map(|((((), tag), ()), ())| tag);
-            Ok((rest, Operation::Difference { tag, tools: Shapes::default() }))
-        }
-        "BooleanUnion"
-        | "BooleanIntersection"
-        | "BooleanFragments"
-        | "Affine"
-        | "Split"
-        | "Intersect" => {
+        "BooleanUnion" => boolean(rest, BooleanKind::Union),
+        "BooleanIntersection" => boolean(rest, BooleanKind::Intersection),
+        "BooleanDifference" => boolean(rest, BooleanKind::Difference),
+        "BooleanFragments" => boolean(rest, BooleanKind::Fragments),
+        "Affine" | "Split" | "Intersect" => {
             let (rest, ()) = passed_over(rest, Until::BeforeSemicolon)?;
             Ok((rest, Operation::Unsupported(name.to_owned())))
         }
         _ => input.no("an operation on shapes"),
     }
+}
+
+/// A boolean operation up to its shapes.
+fn boolean(input: Text, kind: BooleanKind) -> Parsed<Operation> {
+    let tag = symbol("(").and(must_item).and(must(")")).and(must("="));
+    let (rest, tag) = opt(tag).parse(input)?;
+    let tag = tag.map(|((((), tag), ()), ())| tag);
+    Ok((rest, Operation::Boolean { kind, tag, tools: Shapes::default() }))
 }
 
 /// A list of so many items.

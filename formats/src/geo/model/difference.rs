@@ -8,7 +8,7 @@ use crate::geo::syntax::Place;
 
 /// A surface less others.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::geo) struct Difference<'a> {
+pub(super) struct Difference<'a> {
     pub place: Place,
     /// The number that the script gives to the result.
     pub tag: Option<i32>,
@@ -26,7 +26,7 @@ impl Model {
     /// Curves of tools keep their numbers. Those of an object that goes get new ones, of which
     /// Gmsh gives only a single one in an order that is known here: the others are
     /// [unsure](Model::unsure_curves).
-    pub(in crate::geo) fn subtract(&mut self, how: &Difference) -> Result<i32, Problem> {
+    pub(super) fn subtract(&mut self, how: &Difference) -> Result<i32, Problem> {
         let object = self.surface(how.object)?.clone();
         let mut loops = object.loops.clone();
         let mut tools = object.tools.clone();

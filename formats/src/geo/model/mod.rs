@@ -2,6 +2,7 @@
 //!
 //! Everything stands in space as the script says; whether it is plane is asked at the end.
 
+mod boolean;
 mod coherence;
 mod copies;
 mod curve;
@@ -18,8 +19,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::error::Problem;
 use super::syntax::{Law, Place};
 
+pub(super) use boolean::Boolean;
 pub(super) use curve::{Arc, Curve, CurveKind, Points, RADIUS_TOLERANCE};
-pub(super) use difference::Difference;
+use difference::Difference;
 pub(super) use extrude::{Extrusion, Sweep};
 pub(super) use motion::Motion;
 pub(super) use table::Table;

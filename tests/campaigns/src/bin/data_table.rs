@@ -114,9 +114,9 @@ impl Tally {
         }
     }
 
-    /// Nine of ten meshes are near.
+    /// Nine of ten scripts, refused ones counted, have a mesh that is near.
     fn is_good(&self) -> bool {
-        10 * self.near >= 9 * self.meshed
+        10 * self.near >= 9 * (self.meshed + self.refused)
     }
 }
 
