@@ -40,6 +40,8 @@ pub(super) struct Arrangement {
     pub points: Vec<Option<i32>>,
     /// Whether several points lie at a vertex.
     pub merged: Vec<bool>,
+    /// The vertices at which whole circles begin and end.
+    pub seams: Vec<usize>,
     pub pieces: Vec<Piece>,
     /// By curve: its pieces in the order in which they were cut off, run along as the curve.
     pub curves: Vec<(i32, Vec<Side>)>,
@@ -65,6 +67,9 @@ impl Arrangement {
             let ends = curve.ends();
             let ends = [(ends[0], 0.0), (ends[1], 1.0)]
                 .map(|(point, t)| arrangement.vertex(track.at(t), Some(point)));
+            if ends[0] == ends[1] {
+                arrangement.seams.push(ends[0]);
+            }
             tracks.push((track, ends));
         }
         // Places where points of the model lie are known before those that are found.

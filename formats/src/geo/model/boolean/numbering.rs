@@ -148,10 +148,10 @@ impl<'a> Numbering<'a> {
             return arrangement.sides(tag.abs()).iter().all(is_whole);
         }
         let [left] = self.left_of(argument)[..] else { return false };
-        // A face of several arguments is a new one where all of them are cut.
+        // A face of several arguments is a new one, unless it is all that is left of them.
         let has = |argument: &&Argument| argument.faces.contains(&left);
         let is_shared = self.cut.arguments.iter().filter(has).count() > 1;
-        if is_shared && self.how.kind == BooleanKind::Fragments {
+        if is_shared && self.how.kind != BooleanKind::Intersection {
             return false;
         }
         let Ok(surface) = self.model.surface(tag) else { return false };

@@ -91,10 +91,11 @@ fn in_a_row(arrangement: &Arrangement, sides: &[Side]) -> Vec<Side> {
     ring
 }
 
-/// The one piece that two sides in a row are, where they are parts of one line or circle.
+/// The one piece that two sides in a row are, where they are parts of one line or circle; where a
+/// circle began they stay two, as in Gmsh.
 fn join(arrangement: &Arrangement, a: Side, b: Side) -> Option<Piece> {
     let ([first, middle], [next, last]) = (arrangement.ends(a), arrangement.ends(b));
-    if middle != next || a.piece == b.piece {
+    if middle != next || a.piece == b.piece || arrangement.seams.contains(&middle) {
         return None;
     }
     let tolerance = arrangement.tolerance;
