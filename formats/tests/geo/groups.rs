@@ -91,3 +91,12 @@ fn a_group_is_not_made_twice() {
     let script = format!("{SQUARE}Physical Curve(1) = {{1}};\nPhysical Curve(1) = {{2}};");
     assert_eq!(error(&script), "12:1: physical group 1 exists already (line 11)");
 }
+
+#[test]
+fn adding_to_a_group_by_its_name_uses_a_number_up() {
+    let (pslg, _) = warned(&format!(
+        "{SQUARE}Physical Curve(\"a\") = {{1}};\nPhysical Curve(\"a\") += {{2}};\n\
+         Physical Curve(\"b\") = {{3}};"
+    ));
+    assert_eq!(pslg.segment_tags, [1, 1, 3, 0]);
+}

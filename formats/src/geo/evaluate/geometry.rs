@@ -249,11 +249,14 @@ impl Evaluator<'_, '_> {
         Ok(())
     }
 
-    /// The number of a group that is given by name alone: its own, or the next one.
-    fn group_named(&self, dim: u8, name: Option<&str>) -> i32 {
+    /// The number of a group that is given by name alone: its own, or the next one. Either way that
+    /// number is used up, as in Gmsh.
+    fn group_named(&mut self, dim: u8, name: Option<&str>) -> i32 {
+        let next = self.model.tags.next_group();
+        self.model.tags.group = next;
         let mut groups = self.model.groups.iter();
         let known = groups.find(|((of, _), group)| *of == dim && group.name.as_deref() == name);
-        known.map_or_else(|| self.model.tags.next_group(), |(&(_, tag), _)| tag)
+        known.map_or(next, |(&(_, tag), _)| tag)
     }
 
     /// `MeshSize {1, 2} = 0.1;`
