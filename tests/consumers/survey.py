@@ -76,8 +76,6 @@ def judge(seen, mesh):
         "version": seen.version,
         "preset": seen.preset,
         "file": seen.file,
-        "points": len(mesh.points),
-        "triangles": len(mesh.triangles),
         "coordinates": coordinates,
         "regions": kept(2, answers.AREAS),
         "boundaries": boundaries,
