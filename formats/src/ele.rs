@@ -202,11 +202,22 @@ fn triangles(
     // The shortest triangle, `1 1 2 3` and a line end, has eight bytes.
     mesh.triangles.reserve(reserved(count, scanner.left(), 8));
     let mut values = vec![Vec::new(); attributes as usize];
+    let mut first = None;
     for index in 0..count {
         if !scanner.next_line() {
             return Err(scanner.missing(format!("triangle {} of {count}", index + 1)));
         }
-        scanner.integer("the number of a triangle", i64::MIN, i64::MAX)?;
+        let place = scanner.next_place();
+        let number = scanner.integer("the number of a triangle", i64::MIN, i64::MAX)?;
+        let next = first.map_or(Some(number), |first: i64| first.checked_add(index));
+        match next {
+            Some(next) if next == number => first = first.or(Some(number)),
+            _ => {
+                let expected =
+                    format!("triangle {} of {count}, counted up from the first", index + 1);
+                return Err(scanner.unexpected_at(place, expected));
+            }
+        }
         let corners =
             [point(scanner, outline)?, point(scanner, outline)?, point(scanner, outline)?];
         mesh.triangles.push(corners);
