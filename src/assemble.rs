@@ -16,33 +16,27 @@ use crate::triangulation::Triangle;
 /// triangle uses (points of the outline outside the meshed region) are left out.
 #[must_use]
 pub fn assemble(
-    refinement: &Refinement,
+    refinement: Refinement,
     initial: Vec<Triangle>,
     domain_points: &[u32],
     domain: &Domain,
     pslg: &Pslg,
 ) -> Mesh {
-    let order = output_order(refinement, domain_points);
+    let order = output_order(&refinement, domain_points);
     let mut place = vec![u32::MAX; refinement.mesh.points.len()];
     for (new, &vertex) in order.iter().enumerate() {
         place[vertex as usize] = new as u32;
     }
-    let edges = subsegments(refinement);
+    let edges = subsegments(&refinement);
     let unscale = |[x, y]: [f64; 2]| match domain.scale_exponent {
         0 => [x, y],
         exponent => [libm::scalbn(x, exponent), libm::scalbn(y, exponent)],
     };
-    Mesh {
+    let mut mesh = Mesh {
         points: order.iter().map(|&v| unscale(refinement.mesh.points[v as usize])).collect(),
-        point_markers: markers(refinement, &order, domain_points, domain, pslg),
+        point_markers: markers(&refinement, &order, domain_points, domain, pslg),
         provenance: order.iter().map(|&v| refinement.provenances.kind(v)).collect(),
-        triangles: refinement
-            .mesh
-            .triangles
-            .iter()
-            .map(|triangle| each(triangle.vertices, |v| place[v as usize]))
-            .collect(),
-        triangle_tags: region_tags(refinement, domain),
+        triangle_tags: region_tags(&refinement, domain),
         edges: edges.iter().map(|edge| edge.ends.map(|v| place[v as usize])).collect(),
         edge_tags: edges.iter().map(|edge| domain.segment_tags[edge.segment as usize]).collect(),
         edge_segments: edges
@@ -54,13 +48,30 @@ pub fn assemble(
         point_data: interpolate(
             &pslg.point_attributes,
             initial,
-            refinement,
+            &refinement,
             domain,
             domain_points,
             &order,
         ),
         ..Mesh::default()
+    };
+    mesh.triangles = renamed(refinement.mesh.triangles, &place);
+    mesh
+}
+
+/// The corners of triangles by their new numbers. (From the last one on, so that the memory of
+/// those that are done can be given back on the way: there are never two lists as a whole.)
+fn renamed(mut triangles: Vec<Triangle>, place: &[u32]) -> Vec<[u32; 3]> {
+    const GIVEN_BACK: usize = 1 << 20;
+    let mut renamed = vec![[0; 3]; triangles.len()];
+    for corners in renamed.iter_mut().rev() {
+        let Some(triangle) = triangles.pop() else { break };
+        *corners = each(triangle.vertices, |v| place[v as usize]);
+        if triangles.len().is_multiple_of(GIVEN_BACK) {
+            triangles.shrink_to_fit();
+        }
     }
+    renamed
 }
 
 /// The vertices that are used: the outline's in its order, then the others as they were committed.
@@ -113,9 +124,10 @@ fn region_tags(refinement: &Refinement, domain: &Domain) -> Vec<Tag> {
         0 => 0,
         region => domain.regions[region as usize - 1].tag,
     };
-    let mut tags: Vec<_> = refinement.mesh.regions.iter().map(|&region| tag(region)).collect();
-    tags.resize(refinement.mesh.triangles.len(), 0);
-    tags
+    match &refinement.mesh.regions[..] {
+        [] => vec![0; refinement.mesh.triangles.len()],
+        regions => regions.iter().map(|&region| tag(region)).collect(),
+    }
 }
 
 /// The groups of the outline's points, and the further groups of its segments: of each piece.

@@ -17,7 +17,7 @@ use crate::refine::sizing::Sizing;
 use crate::refine::thin::{Thinned, thin};
 use crate::refine::trace::{Event, Listener, Names};
 use crate::refine::{End, Progress, Refinement, refine};
-use crate::statistics::Statistics;
+use crate::statistics::{Measured, Statistics};
 use crate::triangulation::initial::{self, triangulate};
 use crate::{Mesh, Parameters, Pslg, Region, Thinning};
 
@@ -241,24 +241,30 @@ fn unjudged(
     if domain.region == Region::Global {
         refinement.mesh = without_the_outside(mem::take(&mut refinement.mesh));
     }
-    let mesh = assemble(&refinement, kept, &domain_points, &domain, pslg);
+    let measured = Measured::of_refined(&refinement.mesh, domain.scale_exponent);
     let missed = refinement.missed();
-    let introductions = refinement.introductions().iter();
+    let missed = missed.map(|(triangle, angle)| Missed { triangle, radians: angle.radians() });
+    let missed = missed.collect();
+    let introduced = refinement.introductions().iter().map(|&it| names.introduction(it)).collect();
+    let counters = Counters { exact, ..refinement.counters };
+    let refused = refinement.refused.subsegments.len() + refinement.refused.triangles.len();
+    let mesh = assemble(refinement, kept, &domain_points, &domain, pslg);
     Ok(Outcome {
-        missed: missed
-            .map(|(triangle, angle)| Missed { triangle, radians: angle.radians() })
-            .collect(),
+        missed,
         refused_at,
-        counters: Counters { exact, ..refinement.counters },
+        counters,
         thinned,
-        introduced: introductions.map(|&it| names.introduction(it)).collect(),
-        statistics: Statistics::of_refined(&mesh, &refinement.mesh, domain.scale_exponent),
+        introduced,
+        statistics: match measured {
+            Some(measured) => Statistics::with(&mesh, measured),
+            None => Statistics::of(&mesh),
+        },
         certificate: not_judged(&mesh, &Promise::from(parameters)),
         mesh,
         smallest_input_angle: InputAngle::smallest(&domain),
         warnings: warnings.into_iter().map(Warning::Domain).collect(),
         end,
-        refused: refinement.refused.subsegments.len() + refinement.refused.triangles.len(),
+        refused,
     })
 }
 

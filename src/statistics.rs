@@ -68,33 +68,54 @@ impl Statistics {
     /// counted, not measured.
     #[must_use]
     pub fn of(mesh: &Mesh) -> Self {
-        Self::with(mesh, &mesh.points, mesh.triangles.iter().copied())
+        Self::with(mesh, Measured::of(&mesh.points, mesh.triangles.iter().copied()))
     }
 
-    /// [`Statistics::of`] a mesh that was assembled from a triangulation: the triangles are the
-    /// same, but there their corners are near each other in memory.
-    pub(crate) fn of_refined(mesh: &Mesh, refined: &Triangulation, scale_exponent: i32) -> Self {
-        match scale_exponent {
-            0 => Self::with(mesh, &refined.points, refined.triangles.iter().map(|t| t.vertices)),
-            _ => Self::of(mesh),
-        }
-    }
-
-    fn with(mesh: &Mesh, points: &[[f64; 2]], triangles: impl Iterator<Item = [u32; 3]>) -> Self {
-        let mut angles = Angles::new(points);
-        triangles.for_each(|triangle| angles.measure(triangle));
+    /// The counts of a mesh of which the angles were measured before.
+    pub(crate) fn with(mesh: &Mesh, measured: Measured) -> Self {
         Self {
             points: mesh.points.len(),
             kinds: kinds(mesh),
             triangles: mesh.triangles.len(),
             edges: mesh.edges.len(),
+            area: measured.area,
+            smallest_angle: measured.smallest_angle,
+            largest_angle: measured.largest_angle,
+            smallest_angles: measured.smallest_angles,
+            largest_angles: measured.largest_angles,
+            groups: groups(mesh),
+        }
+    }
+}
+
+/// What is measured of triangles: as in [`Statistics`].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Measured {
+    area: f64,
+    smallest_angle: f64,
+    largest_angle: f64,
+    smallest_angles: [usize; 12],
+    largest_angles: [usize; 24],
+}
+
+impl Measured {
+    fn of(points: &[[f64; 2]], triangles: impl Iterator<Item = [u32; 3]>) -> Self {
+        let mut angles = Angles::new(points);
+        triangles.for_each(|triangle| angles.measure(triangle));
+        Self {
             area: angles.area(),
             smallest_angle: angles.smallest(),
             largest_angle: angles.largest(),
             smallest_angles: angles.smallest_angles,
             largest_angles: angles.largest_angles,
-            groups: groups(mesh),
         }
+    }
+
+    /// Measures a triangulation before a mesh is assembled from it: the triangles are the same, but
+    /// their corners are near each other in memory still. `None` where its coordinates are scaled.
+    pub(crate) fn of_refined(refined: &Triangulation, scale_exponent: i32) -> Option<Self> {
+        let corners = refined.triangles.iter().map(|triangle| triangle.vertices);
+        (scale_exponent == 0).then(|| Self::of(&refined.points, corners))
     }
 }
 
