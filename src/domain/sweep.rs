@@ -87,8 +87,10 @@ pub fn sweep(linework: &Linework, seeds: &[[f64; 2]]) -> Result<Located, Violati
     let mut seed_order: Vec<u32> = (0..seeds.len() as u32).filter(is_near).collect();
     seed_order.sort_by(|&i, &j| lexicographic(seeds[i as usize], seeds[j as usize]));
     let mut waiting = seed_order.into_iter().peekable();
-    for &point in linework.order {
-        let place = linework.points[point as usize];
+    // (All are fetched at once: one by one, each would be waited for.)
+    let at = |&point: &u32| linework.points[point as usize];
+    let places: Vec<[f64; 2]> = linework.order.iter().map(at).collect();
+    for (&point, place) in linework.order.iter().zip(places) {
         while let Some(seed) =
             waiting.next_if(|&seed| lexicographic(seeds[seed as usize], place).is_le())
         {
@@ -98,7 +100,7 @@ pub fn sweep(linework: &Linework, seeds: &[[f64; 2]]) -> Result<Located, Violati
                 sweep.locate(seeds[seed as usize])
             };
         }
-        located.below[point as usize] = sweep.pass(point)?;
+        located.below[point as usize] = sweep.pass(point, place)?;
     }
     Ok(located)
 }
@@ -130,9 +132,9 @@ impl<'a> Sweep<'a> {
     }
 
     /// Moves the sweep line past a point; returns the segment below it.
-    fn pass(&mut self, point: u32) -> Result<u32, Violation> {
+    fn pass(&mut self, point: u32, place: [f64; 2]) -> Result<u32, Violation> {
         let (starting, ending) = self.starting_and_ending(point);
-        let [below, above] = self.neighbours(point, ending)?;
+        let [below, above] = self.neighbours(point, place, ending)?;
         let segment_below =
             |below| if below == NONE { u32::MAX } else { self.status.segment(below) };
         if starting.is_empty() && ending.is_empty() {
@@ -183,8 +185,12 @@ impl<'a> Sweep<'a> {
 
     /// The nodes directly below and above a point, once the segments that end there are known to
     /// lie between those two, and no other.
-    fn neighbours(&self, point: u32, ending: &[u32]) -> Result<[u32; 2], Violation> {
-        let place = self.linework.points[point as usize];
+    fn neighbours(
+        &self,
+        point: u32,
+        place: [f64; 2],
+        ending: &[u32],
+    ) -> Result<[u32; 2], Violation> {
         let on = |node| Violation::PointOnSegment { point, segment: self.status.segment(node) };
         let (Some(&highest), Some(&lowest)) = (ending.first(), ending.last()) else {
             return match self.status.find(place) {

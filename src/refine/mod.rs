@@ -487,14 +487,22 @@ impl<'a> Refinement<'a> {
             return;
         }
         let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
-        let may_be_too_large = self.sizing.may_be_too_large(a, b, region) || self.sizes.is_some();
-        match quality::look(a, b, self.target()) {
-            Look::Fine if !may_be_too_large => {}
-            Look::Small { edge, squared } if self.is_plain && !self.may_excuse(slot, edge) => {
+        let may_be_too_large =
+            || self.sizing.may_be_too_large(a, b, region) || self.sizes.is_some();
+        let squared = match quality::look(a, b, self.target()) {
+            Look::Fine if self.sizing.is_surely_too_large(a, b, region) => {
+                quality::squared_edges(a, b).into_iter().reduce(f64::min)
+            }
+            Look::Fine if !may_be_too_large() => return,
+            Look::Small { edge, squared } => Some(squared).filter(|_| !self.may_excuse(slot, edge)),
+            _ => None,
+        };
+        match squared.filter(|_| self.is_plain) {
+            Some(squared) => {
                 let newest = self.mesh.triangles[slot as usize].vertices[0];
                 self.queue.push(queue::by_length(squared), Entry { slot, newest });
             }
-            _ => self.queue_if_bad(slot),
+            None => self.queue_if_bad(slot),
         }
     }
 

@@ -45,6 +45,15 @@ impl Sizing {
             || self.local.as_ref().is_some_and(|local| is_above(2.0 * local.least()))
     }
 
+    /// Whether that triangle, none of whose angles is small, is too large for its region whatever
+    /// rounding did.
+    #[inline]
+    #[must_use]
+    pub fn is_surely_too_large(&self, a: Relative, b: Relative, region: u32) -> bool {
+        let bound = self.twice_largest.get(region as usize);
+        bound.is_some_and(|bound| a.cross(b) > bound * 1.000_000_1)
+    }
+
     /// Whether a counter-clockwise triangle is too large.
     #[must_use]
     pub fn is_too_large(&self, [p, a, b]: [[f64; 2]; 3], region: u32) -> bool {

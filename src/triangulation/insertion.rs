@@ -34,8 +34,10 @@ pub(super) fn delaunay(
     order[2..third + 3].rotate_right(1);
 
     let mut growing = Growing::of_triangle([first, second, order[2]].map(at), points.len());
-    for &i in &order[3..] {
-        growing.insert(at(i)).ok()?;
+    // (All are fetched at once: one by one, each would be waited for.)
+    let places: Vec<[f64; 2]> = order[3..].iter().map(|&i| at(i)).collect();
+    for point in places {
+        growing.insert(point).ok()?;
     }
     Some((growing.mesh, order))
 }
