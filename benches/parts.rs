@@ -19,7 +19,8 @@ fn main() {
 
 /// Points spread evenly (by the fractional parts of multiples of two irrational numbers), in a box.
 fn outline(count: usize) -> Pslg {
-    let spread = |i: usize| [0.754_877_666, 0.569_840_291].map(|step: f64| (step * i as f64).fract());
+    let spread =
+        |i: usize| [0.754_877_666, 0.569_840_291].map(|step: f64| (step * i as f64).fract());
     let mut points = vec![[-1.0, -1.0], [2.0, -1.0], [2.0, 2.0], [-1.0, 2.0]];
     points.extend((1..=count).map(spread));
     let segments = vec![[0, 1], [1, 2], [2, 3], [3, 0]];
@@ -40,7 +41,9 @@ fn meshed(count: usize) -> (Pslg, Mesh) {
 fn read_poly(bencher: Bencher, count: usize) {
     let mut text = Vec::new();
     poly::write_outline(&outline(count), &mut text).expect("memory takes everything");
-    bencher.bench(|| poly::read(black_box(&text), "points.poly", |_| Err(io::ErrorKind::NotFound.into())));
+    bencher.bench(|| {
+        poly::read(black_box(&text), "points.poly", |_| Err(io::ErrorKind::NotFound.into()))
+    });
 }
 
 #[divan::bench(args = POINTS)]
