@@ -17,6 +17,7 @@ use super::provenance::UNKNOWN;
 use super::verdict::{Corollary2, Judgement, Promise};
 use crate::boxes::{Boxes, Rectangle};
 use crate::formats::Provenance;
+use crate::hilbert::Curve;
 
 /// Rounding of the lengths that are compared, relative.
 const SLACK: f64 = 1e-9;
@@ -119,17 +120,29 @@ impl Augmented {
         Self { points, pieces }
     }
 
+    /// The points that are features, so ordered that neighbours are near each other.
+    fn features_along_a_curve(&self) -> Vec<u32> {
+        let at = |v: u32| self.points[v as usize];
+        let is_feature = |&v: &u32| !at(v)[0].is_nan();
+        let mut features: Vec<u32> = (0..self.points.len() as u32).filter(is_feature).collect();
+        let nothing = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        let (low, high) = features.iter().map(|&v| at(v)).fold(nothing, |(low, high), p| {
+            ([0, 1].map(|i| low[i].min(p[i])), [0, 1].map(|i| high[i].max(p[i])))
+        });
+        let curve = Curve::new(low, high);
+        features.sort_by_cached_key(|&v| curve.place(at(v)));
+        features
+    }
+
     /// Half the least distance of a point and a feature that does not contain it, of which the
     /// square is known to be `least` or less; `None` where the search takes too long or there is no
     /// such pair.
     fn lfs_min(&self, mut least: f64) -> Option<f64> {
         let at = |v: u32| self.points[v as usize];
-        let features: Vec<u32> =
-            (0..self.points.len() as u32).filter(|&v| !at(v)[0].is_nan()).collect();
+        let features = self.features_along_a_curve();
         let around = |[v, w]: [u32; 2]| Rectangle::around(at(v), at(w));
         let points: Vec<_> = features.iter().map(|&v| around([v, v])).collect();
         let pieces: Vec<_> = self.pieces.iter().map(|&piece| around(piece)).collect();
-        // (The points stand along a curve.)
         let (points, pieces) = (Boxes::in_order(&points), Boxes::new(&pieces));
         let mut budget = MOST_VISITS_PER_POINT * features.len();
         let place = |i: u32| at(features[i as usize]);
