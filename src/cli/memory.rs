@@ -7,11 +7,12 @@ use sysinfo::{MemoryRefreshKind, RefreshKind, System};
 use super::failure::Failure;
 use super::wording::{bytes, count};
 
-/// What a point of the mesh takes at the most, with its two triangles and all that is made on the
-/// way: measured on 100 000 to ten million random points and squares, and rounded up.
-const BYTES_PER_POINT: u64 = 180;
-/// The same where the mesh is judged.
-const BYTES_PER_JUDGED_POINT: u64 = 320;
+/// What a point of the mesh takes, with its triangles and all that is made on the way: measured
+/// between 124 bytes (a square of 44 million triangles) and 372 (100 000 points on a line), and
+/// rounded up.
+const BYTES_PER_POINT: u64 = 400;
+/// The same where the mesh is judged: 220 (that square with 0.9 million) to 442 (coasts of the world).
+const BYTES_PER_JUDGED_POINT: u64 = 480;
 
 /// The limit, if it is set.
 #[derive(Debug, Clone, Copy, Args)]
