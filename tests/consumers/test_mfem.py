@@ -51,25 +51,31 @@ class Exact(mfem.PyCoefficient):
         return x * x - y * y + x * y
 
 
-def test_a_quadratic_harmonic_solution_is_exact_with_quadratic_elements(mesh):
-    space = mfem.FiniteElementSpace(mesh, mfem.H1_FECollection(2, 2))
-    fixed = mfem.intArray(mesh.bdr_attributes.Max())
-    fixed.Assign(1)
-    fixed[7 - 1] = 0  # the partition lies inside
+def solve(space, boundary, value, diffusion):
+    """−∇·(k∇u) = 0 with `value` on the attributes of the `boundary`, `diffusion` being k's integrator."""
+    fixed = mfem.intArray(space.GetMesh().bdr_attributes.Max())
+    fixed.Assign(0)
+    for tag in boundary:
+        fixed[tag - 1] = 1
     unknowns = mfem.intArray()
     space.GetEssentialTrueDofs(fixed, unknowns)
     solution = mfem.GridFunction(space)
     solution.Assign(0.0)
-    solution.ProjectBdrCoefficient(Exact(), fixed)
-    form = mfem.BilinearForm(space)
-    form.AddDomainIntegrator(mfem.DiffusionIntegrator())
+    solution.ProjectBdrCoefficient(value, fixed)
+    form, load = mfem.BilinearForm(space), mfem.LinearForm(space)
+    form.AddDomainIntegrator(diffusion)
     form.Assemble()
-    load = mfem.LinearForm(space)
     load.Assemble()
     matrix, right, unknown = mfem.OperatorPtr(), mfem.Vector(), mfem.Vector()
     form.FormLinearSystem(unknowns, solution, load, matrix, unknown, right)
     smoother = mfem.GSSmoother(mfem.OperatorHandle2SparseMatrix(matrix))
     mfem.PCG(matrix, smoother, right, unknown, 0, 500, 1e-28, 0.0)
     form.RecoverFEMSolution(unknown, load, solution)
+    return solution
+
+
+def test_a_quadratic_harmonic_solution_is_exact_with_quadratic_elements(mesh):
+    space = mfem.FiniteElementSpace(mesh, mfem.H1_FECollection(2, 2))
+    solution = solve(space, answers.FIXED, Exact(), mfem.DiffusionIntegrator())
     assert solution.ComputeL2Error(Exact()) < 1e-11
     assert np.isfinite(solution.GetDataArray()).all()

@@ -19,7 +19,7 @@ import survey
 import table
 import vtk_files
 from test_gltf import parse
-from test_mfem import integrals
+from test_mfem import integrals, solve
 from test_msh_variants import corners, sizes
 
 FIXED = [answers.GROUPS[1, tag] for tag in answers.FIXED]
@@ -129,30 +129,14 @@ def test_mfem(named_rooms, hold):
         groups += numbered(dim, integrals(mesh, *of_elements), names)
 
     space = mfem.FiniteElementSpace(mesh, mfem.H1_FECollection(1, 2))
-    fixed = mfem.intArray(mesh.bdr_attributes.Max())
-    fixed.Assign(0)
-    for tag in answers.FIXED:
-        fixed[tag - 1] = 1
-    unknowns = mfem.intArray()
-    space.GetEssentialTrueDofs(fixed, unknowns)
     k = mfem.Vector(mesh.attributes.Max())
     k.Assign(1e30)
     for tag, conductivity in answers.CONDUCTIVITY.items():
         k[tag - 1] = conductivity
-    k = mfem.PWConstCoefficient(k)
-    solution, exact = mfem.GridFunction(space), mfem.GridFunction(space)
+    diffusion = mfem.DiffusionIntegrator(mfem.PWConstCoefficient(k))
+    solution = solve(space, answers.FIXED, Temperature(), diffusion)
+    exact = mfem.GridFunction(space)
     exact.ProjectCoefficient(Temperature())
-    solution.Assign(0.0)
-    solution.ProjectBdrCoefficient(Temperature(), fixed)
-    form, load = mfem.BilinearForm(space), mfem.LinearForm(space)
-    form.AddDomainIntegrator(mfem.DiffusionIntegrator(k))
-    form.Assemble()
-    load.Assemble()
-    matrix, right, unknown = mfem.OperatorPtr(), mfem.Vector(), mfem.Vector()
-    form.FormLinearSystem(unknowns, solution, load, matrix, unknown, right)
-    smoother = mfem.GSSmoother(mfem.OperatorHandle2SparseMatrix(matrix))
-    mfem.PCG(matrix, smoother, right, unknown, 0, 500, 1e-28, 0.0)
-    form.RecoverFEMSolution(unknown, load, solution)
     error = np.abs(solution.GetDataArray() - exact.GetDataArray()).max()
     points = np.array([mesh.GetVertexArray(i)[:2] for i in range(mesh.GetNV())])
     hold("MFEM", version("mfem"), ".msh 2.2", "mfem", points, mesh.GetNE(), groups, float(error))
