@@ -375,6 +375,22 @@ mod tests {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
         #[test]
+        fn what_lies_within_the_hull_well_is_on_no_line_that_bounds_it(
+            points in proptest::collection::vec([-8_i8..8, -8_i8..8], 3..40),
+        ) {
+            let points: Vec<_> = points.into_iter().map(|place| place.map(f64::from)).collect();
+            let within = Rectangle::within_hull(points.iter().copied());
+            let left = |a: [f64; 2], b: [f64; 2], p: [f64; 2]| {
+                (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+            };
+            for (&a, &b) in points.iter().flat_map(|a| points.iter().map(move |b| (a, b))) {
+                let bounds = a != b && points.iter().all(|&p| left(a, b, p) >= 0.0);
+                let mut held = points.iter().filter(|&&p| within.holds_well(p, 0.0));
+                prop_assert!(!bounds || held.all(|&p| left(a, b, p) > 0.0));
+            }
+        }
+
+        #[test]
         fn the_least_distance_is_that_of_all_pairs(a in rectangles(), b in rectangles()) {
             let least = |first: &[Rectangle], second: &[Rectangle], is_itself: bool| {
                 let gap = |i: u32, j: u32| match is_itself && i == j {
