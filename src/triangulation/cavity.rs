@@ -31,6 +31,31 @@ pub struct BoundaryEdge {
     pub seen: [Relative; 2],
 }
 
+impl BoundaryEdge {
+    /// Edge `i` of a triangle whose corners are `seen`, with the triangle to its left.
+    #[inline(always)]
+    pub(super) fn of(triangle: &Triangle, i: usize, seen: [Relative; 3]) -> Self {
+        let Triangle { vertices, neighbors } = triangle;
+        Self {
+            ends: [vertices[next(i)], vertices[previous(i)]],
+            behind: neighbors[i],
+            seen: [seen[next(i)], seen[previous(i)]],
+        }
+    }
+
+    /// The other two edges of the triangle behind this one, counter-clockwise, with that triangle to
+    /// their left: they meet at its apex. All is seen from `point`.
+    #[inline(always)]
+    pub(super) fn beyond(self, mesh: &Triangulation, point: [f64; 2]) -> [Self; 2] {
+        let ([a, b], [seen_a, seen_b]) = (self.ends, self.seen);
+        let (triangle, i) = (&mesh.triangles[self.behind.triangle() as usize], self.behind.index());
+        let apex = triangle.vertices[i];
+        let seen = Relative::of(mesh.points[apex as usize], point);
+        let edge = |ends, at: usize, seen| Self { ends, behind: triangle.neighbors[at], seen };
+        [edge([a, apex], next(i), [seen_a, seen]), edge([apex, b], previous(i), [seen, seen_b])]
+    }
+}
+
 /// Where the two sides of a split subsegment meet in the star of its new point.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Joint {
@@ -175,12 +200,7 @@ impl Cavity {
     }
 
     fn visit_later(&mut self, mesh: &Triangulation, triangle: u32, i: usize, seen: [Relative; 3]) {
-        let Triangle { vertices, neighbors } = mesh.triangles[triangle as usize];
-        self.stack.push(BoundaryEdge {
-            ends: [vertices[next(i)], vertices[previous(i)]],
-            behind: neighbors[i],
-            seen: [seen[next(i)], seen[previous(i)]],
-        });
+        self.stack.push(BoundaryEdge::of(&mesh.triangles[triangle as usize], i, seen));
     }
 
     /// Takes in every triangle that `goes` (asked with its corners, as seen and by their numbers)
@@ -217,16 +237,10 @@ impl Cavity {
         if side.behind.is_constrained() {
             return None;
         }
-        let triangle = &mesh.triangles[side.behind.triangle() as usize];
-        let i = side.behind.index();
+        let [first, second] = side.beyond(mesh, self.point);
         let ([a, b], [seen_a, seen_b]) = (side.ends, side.seen);
-        let apex = triangle.vertices[i];
-        let seen = Relative::of(mesh.points[apex as usize], self.point);
-        goes([seen_b, seen_a, seen], [b, a, apex]).then(|| {
-            let edge =
-                |ends, at: usize, seen| BoundaryEdge { ends, behind: triangle.neighbors[at], seen };
-            [edge([a, apex], next(i), [seen_a, seen]), edge([apex, b], previous(i), [seen, seen_b])]
-        })
+        let ([_, apex], [_, seen]) = (first.ends, first.seen);
+        goes([seen_b, seen_a, seen], [b, a, apex]).then_some([first, second])
     }
 
     /// k triangles that share no vertex inside and leave none out have `more` + k edges around

@@ -89,40 +89,21 @@ impl Growing {
         if let Some(corner) = ghost_corner(self.mesh.triangles[slot as usize].vertices) {
             slot = self.mesh.triangles[slot as usize].neighbors[corner].triangle();
         }
-        let Triangle { vertices, neighbors } = self.mesh.triangles[slot as usize];
-        let seen = each(vertices, |v| Relative::of(self.mesh.points[v as usize], point));
-        for (i, &behind) in neighbors.iter().enumerate() {
-            let [from, to] = [next(i), previous(i)];
-            let edge = BoundaryEdge {
-                ends: [vertices[from], vertices[to]],
-                behind,
-                seen: [seen[from], seen[to]],
-            };
-            if self.is_beyond(edge, point) {
-                return self.walk(edge, point);
-            }
-        }
-        slot
+        let triangle = &self.mesh.triangles[slot as usize];
+        let seen = each(triangle.vertices, |v| Relative::of(self.mesh.points[v as usize], point));
+        let mut edges = (0..3).map(|i| BoundaryEdge::of(triangle, i, seen));
+        edges.find(|&edge| self.is_beyond(edge, point)).map_or(slot, |edge| self.walk(edge, point))
     }
 
     /// Where the walk ends that is about to cross an edge.
     fn walk(&self, mut across: BoundaryEdge, point: [f64; 2]) -> u32 {
         loop {
-            let (slot, i) = (across.behind.triangle(), across.behind.index());
-            let Triangle { vertices, neighbors } = self.mesh.triangles[slot as usize];
-            let ([a, b], apex) = (across.ends, vertices[i]);
+            let slot = across.behind.triangle();
+            let [first, second] = across.beyond(&self.mesh, point);
+            let ([a, apex], [_, b]) = (first.ends, second.ends);
             if ghost_corner([a, b, apex]).is_some() {
                 return slot;
             }
-            let ([seen_a, seen_b], seen) =
-                (across.seen, Relative::of(self.mesh.points[apex as usize], point));
-            let first =
-                BoundaryEdge { ends: [a, apex], behind: neighbors[next(i)], seen: [seen_a, seen] };
-            let second = BoundaryEdge {
-                ends: [apex, b],
-                behind: neighbors[previous(i)],
-                seen: [seen, seen_b],
-            };
             across = if self.is_beyond(first, point) {
                 first
             } else if self.is_beyond(second, point) {
