@@ -1,13 +1,14 @@
 //! From the refined triangulation to the mesh that is written.
 
 use std::collections::BTreeMap;
+use std::mem;
 
 use crate::attributes::interpolate;
 use crate::corners::each;
 use crate::domain::Domain;
 use crate::formats::{Membership, Mesh, Pslg, Tag};
 use crate::refine::Refinement;
-use crate::triangulation::Triangle;
+use crate::triangulation::{Triangle, Triangulation};
 
 /// The mesh of a refinement, in the outline's own coordinates, numbers and tags.
 ///
@@ -16,57 +17,56 @@ use crate::triangulation::Triangle;
 /// triangle uses (points of the outline outside the meshed region) are left out.
 #[must_use]
 pub fn assemble(
-    refinement: Refinement,
+    mut refinement: Refinement,
     initial: Vec<Triangle>,
     domain_points: &[u32],
     domain: &Domain,
     pslg: &Pslg,
 ) -> Mesh {
-    let order = output_order(&refinement, domain_points);
-    let mut place = vec![u32::MAX; refinement.mesh.points.len()];
-    for (new, &vertex) in order.iter().enumerate() {
-        place[vertex as usize] = new as u32;
-    }
+    let order = OutputOrder::of(&refinement, domain_points);
     let edges = subsegments(&refinement);
-    let unscale = |[x, y]: [f64; 2]| match domain.scale_exponent {
-        0 => [x, y],
-        exponent => [libm::scalbn(x, exponent), libm::scalbn(y, exponent)],
-    };
     let mut mesh = Mesh {
-        points: order.iter().map(|&v| unscale(refinement.mesh.points[v as usize])).collect(),
         point_markers: markers(&refinement, &order, domain_points, domain, pslg),
-        provenance: order.iter().map(|&v| refinement.provenances.kind(v)).collect(),
+        provenance: order.vertices().map(|v| refinement.provenances.kind(v)).collect(),
         triangle_tags: region_tags(&refinement, domain),
-        edges: edges.iter().map(|edge| edge.ends.map(|v| place[v as usize])).collect(),
+        edges: edges.iter().map(|edge| edge.ends.map(|v| order.place(v))).collect(),
         edge_tags: edges.iter().map(|edge| domain.segment_tags[edge.segment as usize]).collect(),
         edge_segments: edges
             .iter()
             .map(|edge| domain.input_segments[edge.segment as usize])
             .collect(),
         groups: pslg.groups.clone(),
-        memberships: memberships(&place, &edges, domain_points, domain, pslg),
+        memberships: memberships(&order, &edges, domain_points, domain, pslg),
         point_data: interpolate(
             &pslg.point_attributes,
             initial,
             &refinement,
             domain,
             domain_points,
-            &order,
+            order.vertices(),
         ),
         ..Mesh::default()
     };
-    mesh.triangles = renamed(refinement.mesh.triangles, &place);
+    // The large arrays last: by then all that only the refinement needs is given back.
+    let Triangulation { points, triangles, .. } = mem::take(&mut refinement.mesh);
+    drop((refinement, edges));
+    mesh.points = order.sorted(points);
+    if domain.scale_exponent != 0 {
+        let unscaled = |c| libm::scalbn(c, domain.scale_exponent);
+        mesh.points.iter_mut().for_each(|point| *point = point.map(unscaled));
+    }
+    mesh.triangles = renamed(triangles, &order);
     mesh
 }
 
 /// The corners of triangles by their new numbers. (From the last one on, so that the memory of
 /// those that are done can be given back on the way: there are never two lists as a whole.)
-fn renamed(mut triangles: Vec<Triangle>, place: &[u32]) -> Vec<[u32; 3]> {
-    const GIVEN_BACK: usize = 1 << 20;
+fn renamed(mut triangles: Vec<Triangle>, order: &OutputOrder) -> Vec<[u32; 3]> {
+    const GIVEN_BACK: usize = 1 << 16;
     let mut renamed = vec![[0; 3]; triangles.len()];
     for corners in renamed.iter_mut().rev() {
         let Some(triangle) = triangles.pop() else { break };
-        *corners = each(triangle.vertices, |v| place[v as usize]);
+        *corners = each(triangle.vertices, |v| order.place(v));
         if triangles.len().is_multiple_of(GIVEN_BACK) {
             triangles.shrink_to_fit();
         }
@@ -74,20 +74,65 @@ fn renamed(mut triangles: Vec<Triangle>, place: &[u32]) -> Vec<[u32; 3]> {
     renamed
 }
 
-/// The vertices that are used: the outline's in its order, then the others as they were committed.
-fn output_order(refinement: &Refinement, domain_points: &[u32]) -> Vec<u32> {
-    let mut used = vec![false; refinement.mesh.points.len()];
-    for triangle in &refinement.mesh.triangles {
-        for v in triangle.vertices {
-            used[v as usize] = true;
+/// The order of the mesh's points: the vertices that are used, the outline's in its order, then the
+/// others as they were committed.
+struct OutputOrder {
+    /// The place of each vertex; `u32::MAX` where it is not used.
+    places: Vec<u32>,
+    /// The vertices of the outline that are used, in its order.
+    inputs: Vec<u32>,
+    /// The first vertex that is none of the outline's.
+    first_other: usize,
+}
+
+impl OutputOrder {
+    fn of(refinement: &Refinement, domain_points: &[u32]) -> Self {
+        let (unused, used) = (u32::MAX, 0);
+        let mut places = vec![unused; refinement.mesh.points.len()];
+        for triangle in &refinement.mesh.triangles {
+            triangle.vertices.iter().for_each(|&v| places[v as usize] = used);
         }
+        let mut inputs = vec![0; domain_points.len()];
+        for (v, &point) in (0..).zip(domain_points) {
+            inputs[point as usize] = v;
+        }
+        inputs.retain(|&v| places[v as usize] == used);
+        let mut made = Self { places, inputs, first_other: domain_points.len() };
+        for (place, &v) in (0..).zip(&made.inputs) {
+            made.places[v as usize] = place;
+        }
+        let others = made.places[made.first_other..].iter_mut().filter(|place| **place == used);
+        (made.inputs.len() as u32..).zip(others).for_each(|(new, place)| *place = new);
+        made
     }
-    let mut inputs = vec![0; domain_points.len()];
-    for (v, &point) in (0..).zip(domain_points) {
-        inputs[point as usize] = v;
+
+    /// The place of a vertex that is used.
+    #[inline]
+    fn place(&self, vertex: u32) -> u32 {
+        self.places[vertex as usize]
     }
-    let others = domain_points.len() as u32..refinement.mesh.points.len() as u32;
-    inputs.into_iter().chain(others).filter(|&v| used[v as usize]).collect()
+
+    /// The vertices that are used, in this order.
+    fn vertices(&self) -> impl Iterator<Item = u32> + '_ {
+        let others = (self.first_other as u32..).zip(&self.places[self.first_other..]);
+        let others = others.filter(|&(_, &place)| place != u32::MAX).map(|(v, _)| v);
+        self.inputs.iter().copied().chain(others)
+    }
+
+    /// What there is for each vertex, in this order: in its own memory, but for the outline's.
+    fn sorted(&self, mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+        let inputs: Vec<_> = self.inputs.iter().map(|&v| points[v as usize]).collect();
+        points[..inputs.len()].copy_from_slice(&inputs);
+        for v in self.first_other..points.len() {
+            // (Nothing comes later than it stood.)
+            if self.places[v] != u32::MAX {
+                points[self.places[v] as usize] = points[v];
+            }
+        }
+        points.truncate(self.vertices().count());
+        points.shrink_to_fit();
+        points
+    }
 }
 
 /// A piece of a segment in the mesh.
@@ -132,7 +177,7 @@ fn region_tags(refinement: &Refinement, domain: &Domain) -> Vec<Tag> {
 
 /// The groups of the outline's points, and the further groups of its segments: of each piece.
 fn memberships(
-    place: &[u32],
+    order: &OutputOrder,
     edges: &[Subsegment],
     domain_points: &[u32],
     domain: &Domain,
@@ -142,7 +187,7 @@ fn memberships(
         return Vec::new();
     }
     let mut vertices = vec![u32::MAX; pslg.points.len()];
-    for (&vertex, &point) in place.iter().zip(domain_points) {
+    for (&vertex, &point) in order.places.iter().zip(domain_points) {
         vertices[domain.input_points[point as usize] as usize] = vertex;
     }
     let mut pieces: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
@@ -170,7 +215,7 @@ fn memberships(
 /// The outline's markers; a point that splits a segment inherits the segment's tag.
 fn markers(
     refinement: &Refinement,
-    order: &[u32],
+    order: &OutputOrder,
     domain_points: &[u32],
     domain: &Domain,
     pslg: &Pslg,
@@ -186,5 +231,5 @@ fn markers(
         let given = input.and_then(|input| pslg.point_markers.get(input as usize));
         given.copied().unwrap_or(0)
     };
-    order.iter().map(|&v| marker(v)).collect()
+    order.vertices().map(marker).collect()
 }

@@ -19,13 +19,13 @@ pub fn interpolate(
     refinement: &Refinement,
     domain: &Domain,
     domain_points: &[u32],
-    order: &[u32],
+    order: impl Iterator<Item = u32>,
 ) -> Vec<Data> {
     if attributes.is_empty() {
         return Vec::new();
     }
     let mut background = Background { triangles: initial, slot: 0 };
-    let weights: Vec<_> = order.iter().map(|&v| refinement.weights(v, &mut background)).collect();
+    let weights: Vec<_> = order.map(|v| refinement.weights(v, &mut background)).collect();
     let input = |vertex: u32| domain.input_points[domain_points[vertex as usize] as usize] as usize;
     let mean = |attribute: &Attribute, weights: &Weights| {
         weights.iter().map(|&(v, weight)| weight * attribute.values[input(v)]).sum()
