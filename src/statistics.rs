@@ -7,10 +7,13 @@ use meshwright_formats::{Group, Mesh, Provenance, Tag};
 use crate::corners::each;
 use crate::triangulation::Triangulation;
 
+mod bins;
 mod quality;
 
 pub use crate::certify::Kinds;
 pub use quality::Quality;
+
+use bins::Bins;
 
 /// What a mesh consists of.
 ///
@@ -101,7 +104,9 @@ pub(crate) struct Measured {
 impl Measured {
     fn of(points: &[[f64; 2]], triangles: impl Iterator<Item = [u32; 3]>) -> Self {
         let mut angles = Angles::new(points);
-        triangles.for_each(|triangle| angles.measure(triangle));
+        for triangle in triangles {
+            angles.measure(triangle);
+        }
         Self {
             area: angles.area(),
             smallest_angle: angles.smallest(),
@@ -185,8 +190,7 @@ struct Angles<'a> {
     points: &'a [[f64; 2]],
     /// Coordinates are multiplied by 2 to this power, so that no product over- or underflows.
     exponent: i32,
-    /// Cotangents of 5°, 10°, …, 175°.
-    bounds: [f64; 35],
+    bins: Bins,
     largest_cotangent: f64,
     smallest_cotangent: f64,
     twice_area: f64,
@@ -198,12 +202,11 @@ impl<'a> Angles<'a> {
     fn new(points: &'a [[f64; 2]]) -> Self {
         let largest = points.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
         let exponent = if largest > 0.0 && largest.is_finite() { -libm::ilogb(largest) } else { 0 };
-        let bound = |i: usize| 1.0 / libm::tan((5.0 * (i + 1) as f64).to_radians());
         Self {
             points,
             // Within ±100 nothing happens to products of two lengths.
             exponent: if exponent.abs() <= 100 { 0 } else { exponent },
-            bounds: std::array::from_fn(bound),
+            bins: Bins::of_five_degrees(),
             largest_cotangent: f64::NEG_INFINITY,
             smallest_cotangent: f64::INFINITY,
             twice_area: 0.0,
@@ -212,22 +215,20 @@ impl<'a> Angles<'a> {
         }
     }
 
+    #[inline(always)]
     fn measure(&mut self, triangle: [u32; 3]) {
         let Some([a, b, c]) = self.corners(triangle) else { return };
         let twice_area = cross(difference(b, a), difference(c, a));
         self.twice_area += twice_area;
-        let [a, b, c] = cotangents([a, b, c], twice_area);
-        let (steepest, flattest) = (a.max(b).max(c), a.min(b).min(c));
+        // Quotients by one number are in the order of what is divided.
+        let [a, b, c] = dots([a, b, c]);
+        let steepest = -a.min(b).min(c) / twice_area.abs();
+        let flattest = -a.max(b).max(c) / twice_area.abs();
         self.largest_cotangent = self.largest_cotangent.max(steepest);
         self.smallest_cotangent = self.smallest_cotangent.min(flattest);
-        // The smallest angle is at most 60°, the largest at least. (Counted without a branch: a
-        // search would guess wrong half of the time.)
-        let (to_sixty, from_sixty) = self.bounds.split_at(11);
-        let above = |bounds: &[f64], cotangent: f64| -> usize {
-            bounds.iter().map(|&bound| usize::from(cotangent <= bound)).sum()
-        };
-        self.smallest_angles[above(to_sixty, steepest)] += 1;
-        self.largest_angles[above(&from_sixty[1..], flattest)] += 1;
+        // The smallest angle is at most 60°, the largest at least.
+        self.smallest_angles[self.bins.of(steepest).min(11)] += 1;
+        self.largest_angles[self.bins.of(flattest).saturating_sub(12)] += 1;
     }
 
     /// The cotangents of a triangle's angles, or nothing where a corner does not exist.
@@ -236,18 +237,16 @@ impl<'a> Angles<'a> {
         Some(cotangents([a, b, c], cross(difference(b, a), difference(c, a))))
     }
 
-    #[inline]
-    fn corners(&self, triangle: [u32; 3]) -> Option<[[f64; 2]; 3]> {
-        let [a, b, c] = each(triangle, |i| self.points.get(i as usize).copied());
-        Some(each([a?, b?, c?], |corner| self.scaled(corner)))
+    #[inline(always)]
+    fn corners(&self, [a, b, c]: [u32; 3]) -> Option<[[f64; 2]; 3]> {
+        let at = |i: u32| self.points.get(i as usize).copied();
+        let corners = [at(a)?, at(b)?, at(c)?];
+        Some(if self.exponent == 0 { corners } else { self.scaled(corners) })
     }
 
-    #[inline]
-    fn scaled(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        match self.exponent {
-            0 => [x, y],
-            exponent => [libm::scalbn(x, exponent), libm::scalbn(y, exponent)],
-        }
+    #[cold]
+    fn scaled(&self, corners: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
+        corners.map(|corner| corner.map(|x| libm::scalbn(x, self.exponent)))
     }
 
     fn area(&self) -> f64 {
@@ -263,11 +262,15 @@ impl<'a> Angles<'a> {
     }
 }
 
-fn cotangents([a, b, c]: [[f64; 2]; 3], twice_area: f64) -> [f64; 3] {
-    let edges = [difference(c, b), difference(a, c), difference(b, a)]; // opposite a, b, c
-    let cross = twice_area.abs();
-    // The angle at a corner lies between the other two edges, one of them reversed.
-    each([(1, 2), (2, 0), (0, 1)], |(i, j)| -dot(edges[i], edges[j]) / cross)
+fn cotangents(corners: [[f64; 2]; 3], twice_area: f64) -> [f64; 3] {
+    each(dots(corners), |dot| -dot / twice_area.abs())
+}
+
+/// At each corner the dot product of the other two edges, one of them reversed.
+#[inline(always)]
+fn dots([a, b, c]: [[f64; 2]; 3]) -> [f64; 3] {
+    let (bc, ca, ab) = (difference(c, b), difference(a, c), difference(b, a));
+    [dot(ca, ab), dot(ab, bc), dot(bc, ca)]
 }
 
 /// The angle from 0 to π with this cotangent; 0 where nothing was measured.
@@ -278,15 +281,18 @@ fn angle(cotangent: f64) -> f64 {
     libm::atan2(1.0, cotangent)
 }
 
+#[inline(always)]
 fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
+#[inline(always)]
 fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
 /// a × b, to the last bits also where the products nearly cancel (Kahan).
+#[inline]
 fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     let product = a[1] * b[0];
     let rounded = a[0] * b[1] - product;
