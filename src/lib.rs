@@ -53,6 +53,7 @@ mod hilbert;
 mod outline_of;
 mod parameters;
 pub mod predicates;
+mod radix;
 mod random;
 pub mod refine;
 mod run;

@@ -9,6 +9,7 @@ use crate::Region;
 use crate::corners::each;
 use crate::domain::Domain;
 use crate::hilbert::Curve;
+use crate::radix::sort_by_upper_half;
 
 /// The constrained Delaunay triangulation of a whole domain's convex hull (or of a box around it),
 /// before carving.
@@ -152,7 +153,7 @@ fn sort_along_hilbert_curve(points: &[[f64; 2]], indices: &mut [u32]) {
     let curve = Curve::new(low, high);
     let placed = indices.iter().map(|&i| (points[i as usize], u64::from(i)));
     let mut placed: Vec<u64> = placed.map(|(p, i)| u64::from(curve.place(p)) << 32 | i).collect();
-    placed.sort_unstable();
+    sort_by_upper_half(&mut placed);
     indices.iter_mut().zip(&placed).for_each(|(i, &placed)| *i = placed as u32);
     let mut rest = indices;
     for cell in placed.chunk_by(|a, b| a >> 32 == b >> 32) {
