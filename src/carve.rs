@@ -11,6 +11,9 @@ use crate::triangulation::{Edge, OUTSIDE_THE_REGION, Triangle, Triangulation};
 /// within the whole hull the others stay, [`OUTSIDE_THE_REGION`].
 #[must_use]
 pub fn carve(initial: Initial, domain: &Domain) -> Triangulation {
+    if is_meshed_alike(&initial, domain) {
+        return Triangulation::new(initial.points, initial.triangles, Vec::new());
+    }
     let region = |face: u32| match domain.faces.region(face) {
         _ if !domain.faces.is_meshed(face) => OUTSIDE_THE_REGION,
         None => 0,
@@ -22,6 +25,14 @@ pub fn carve(initial: Initial, domain: &Domain) -> Triangulation {
         return Triangulation::new(initial.points, initial.triangles, regions);
     }
     meshed(initial.points, initial.triangles, regions)
+}
+
+/// Whether every triangle is meshed, and in no region: then no face need be known.
+fn is_meshed_alike(initial: &Initial, domain: &Domain) -> bool {
+    domain.region == Region::Hull
+        && initial.open.is_empty()
+        && domain.faces.all_are_meshed()
+        && domain.faces.none_has_a_region()
 }
 
 /// Takes out what is not meshed.

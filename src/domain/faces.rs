@@ -75,6 +75,18 @@ impl Faces {
         self.meshed[face as usize]
     }
 
+    /// Whether every face but the [`OUTSIDE`] is meshed.
+    #[must_use]
+    pub fn all_are_meshed(&self) -> bool {
+        (OUTSIDE + 1..self.count()).all(|face| self.is_meshed(face))
+    }
+
+    /// Whether no face belongs to a region.
+    #[must_use]
+    pub fn none_has_a_region(&self) -> bool {
+        self.regions.iter().all(Option::is_none)
+    }
+
     /// The region that a face belongs to, as an index into
     /// [`Domain::regions`](super::Domain::regions).
     #[must_use]

@@ -4,26 +4,30 @@ use std::ops::ControlFlow;
 
 use super::sweep::cross;
 use crate::boxes::{Boxes, Rectangle};
+use crate::columns::in_columns;
 use crate::predicates::{Side, side};
 use crate::vector::Vector;
 
+/// The points from left to right that are not known to lie farther than `margin` within the convex
+/// hull; `core`: a rectangle within it.
+pub fn outer(points: &[[f64; 2]], core: Rectangle, margin: f64) -> Vec<u32> {
+    let is_outer = |&point: &u32| !core.holds_well(points[point as usize], margin);
+    let outer = in_columns(points, (0..points.len() as u32).filter(is_outer));
+    outer.into_iter().map(|placed| placed as u32).collect()
+}
+
 /// The edges of the convex hull, counter-clockwise, split at every point that lies on it.
-/// `order`: the points from left to right (lexicographic), all distinct and not all on one line.
-pub fn hull_edges(points: &[[f64; 2]], order: &[u32]) -> Vec<[u32; 2]> {
-    let core = Rectangle::within_hull(points.iter().copied());
-    let outer =
-        order.iter().copied().filter(|&point| !core.holds_well(points[point as usize], 0.0));
-    let order: Vec<u32> = outer.collect();
-    let mut edges = chain(points, order.iter().copied());
-    edges.extend(chain(points, order.iter().rev().copied()));
+/// `outer`: from left to right points among which those are, all distinct and not all on one line.
+pub fn hull_edges(points: &[[f64; 2]], outer: &[u32]) -> Vec<[u32; 2]> {
+    let mut edges = chain(points, outer.iter().copied());
+    edges.extend(chain(points, outer.iter().rev().copied()));
     edges
 }
 
-/// Whether all points lie on one line. `order`: the points from left to right, all distinct.
-pub fn is_on_a_line(points: &[[f64; 2]], order: &[u32]) -> bool {
-    let at = |point: u32| points[point as usize];
-    let [first, .., last] = order[..] else { return true };
-    order.iter().all(|&point| side(at(first), at(last), at(point)) == Side::On)
+/// Whether all points, which are distinct, lie on one line.
+pub fn is_on_a_line(points: &[[f64; 2]]) -> bool {
+    let [first, second, ..] = points[..] else { return true };
+    points.iter().all(|&point| side(first, second, point) == Side::On)
 }
 
 /// Those of the hull edges that are no segments yet.
@@ -35,8 +39,8 @@ pub fn missing(hull_edges: Vec<[u32; 2]>, segments: &[[u32; 2]]) -> Vec<[u32; 2]
     hull_edges.into_iter().filter(missing).collect()
 }
 
-/// The same edges, but through every point that is nearer to one of them than `closest`. `on_hull`:
-/// the points at which hull edges end.
+/// The same edges, but through every one of the `outer` points that is nearer to one of them than
+/// `closest`. `on_hull`: the points at which hull edges end.
 ///
 /// A hull edge that passes a point at rounding distance (points along the side of a turned
 /// rectangle) would ask for triangles as thin as that. Through those points the boundary is as
@@ -44,6 +48,7 @@ pub fn missing(hull_edges: Vec<[u32; 2]>, segments: &[[u32; 2]]) -> Vec<[u32; 2]
 pub fn through_near_points(
     edges: &[[u32; 2]],
     points: &[[f64; 2]],
+    outer: &[u32],
     on_hull: &[bool],
     closest: f64,
 ) -> Vec<[u32; 2]> {
@@ -51,13 +56,9 @@ pub fn through_near_points(
     let rectangles: Vec<_> =
         (0..edges.len() as u32).map(at).map(|[a, b]| Rectangle::around(a, b)).collect();
     let boxes = Boxes::new(&rectangles);
-    let core = Rectangle::within_hull(points.iter().copied());
     let mut beside: Vec<(u32, f64, u32)> = Vec::new();
-    for point in (0..points.len() as u32).filter(|&point| !on_hull[point as usize]) {
+    for &point in outer.iter().filter(|&&point| !on_hull[point as usize]) {
         let place = points[point as usize];
-        if core.holds_well(place, 2.0 * closest) {
-            continue;
-        }
         // Squared, and infinite where the foot is not between the ends.
         let distance = |edge: u32| {
             let [a, b] = at(edge);

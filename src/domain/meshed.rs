@@ -7,8 +7,8 @@ use super::faces::{Faces, OUTSIDE};
 use super::nesting::nested_oddly;
 use super::open_ends::OpenEnds;
 use super::sweep::{Linework, Located, Place};
-use crate::Pslg;
 use crate::formats::Enclosed;
+use crate::{Pslg, Region};
 
 /// A clean linework, what lies where in it, and what it was made from.
 pub struct Clean<'a> {
@@ -22,8 +22,8 @@ pub struct Clean<'a> {
     pub input_points: &'a [u32],
     /// The input segment that each segment is.
     pub input_segments: &'a [u32],
-    /// Which bounded faces are meshed, but for the holes.
-    pub enclosed: Enclosed,
+    /// What is to be meshed.
+    pub region: Region,
 }
 
 /// What is meshed.
@@ -67,7 +67,11 @@ impl Clean<'_> {
 
     /// Sets the faces that are meshed but for the holes.
     fn take_enclosed(&self, faces: &mut Faces) -> Result<(), Error> {
-        match self.enclosed {
+        let enclosed = match self.region {
+            Region::Hull => Enclosed::All,
+            _ => self.pslg.enclosed,
+        };
+        match enclosed {
             Enclosed::All => {
                 (OUTSIDE + 1..faces.count()).for_each(|face| faces.set_meshed(face, true));
             }
@@ -160,6 +164,9 @@ impl Clean<'_> {
 
     /// For each point whether it lies in a meshed face or on the boundary of one.
     fn points_in(&self, faces: &Faces) -> Vec<bool> {
+        if self.region == Region::Hull && faces.all_are_meshed() {
+            return vec![true; self.linework.points.len()];
+        }
         let is_bounding =
             |&segment: &u32| faces.sides(segment).iter().any(|&face| faces.is_meshed(face));
         let is_in = |point: u32| match self.linework.adjoining_at(point) {

@@ -32,8 +32,9 @@ pub use open_ends::{OpenEnd, OpenEnds};
 pub use precision::PrecisionLimit;
 pub use repair::{Repair, RepairKind, Repaired, Report, repair};
 
+use crate::boxes::Rectangle;
 use crate::columns::in_columns;
-use crate::formats::{Enclosed, LocalArea};
+use crate::formats::LocalArea;
 use crate::vector::Vector;
 use crate::{Pslg, Region};
 use conflicts::Dirty;
@@ -115,7 +116,7 @@ impl Domain {
         let scaled = |place| range::scaled(place, scale_exponent);
 
         let scaled_points = pslg.points.iter().copied().map(scaled).collect();
-        let merge::Points { points, input: input_points, distinct, order } =
+        let merge::Points { points, input: input_points, distinct, mut order } =
             merge::points(pslg, scaled_points, &mut warnings);
         let merge::Segments { mut segments, input: mut input_segments, tags: mut segment_tags } =
             merge::segments(pslg, &distinct, &mut warnings);
@@ -123,29 +124,35 @@ impl Domain {
         if points.len() < 3 {
             return Err(Error::TooFewPoints { points: points.len() });
         }
-        if hull::is_on_a_line(&points, &order) {
+        if hull::is_on_a_line(&points) {
             return Err(Error::Collinear { points: points.len() });
         }
         if segments.is_empty() {
             warnings.push(Warning::NoSegments);
         }
-        let region = if segments.is_empty() { Region::Hull } else { region };
+        let has_segments = !segments.is_empty();
+        let region = if has_segments { region } else { Region::Hull };
         if region == Region::Hull {
-            let hull_edges = hull::hull_edges(&points, &order);
             let closest = 2.0 * precision::floor(&points);
+            let core = Rectangle::within_hull(points.iter().copied());
+            let outer = hull::outer(&points, core, 2.0 * closest);
+            let hull_edges = hull::hull_edges(&points, &outer);
             if hull::is_line(&hull_edges, &points, closest) {
                 return Err(Error::Collinear { points: points.len() });
             }
             let mut on_hull = vec![false; points.len()];
             hull_edges.iter().for_each(|&[start, _]| on_hull[start as usize] = true);
             let missing = hull::missing(hull_edges, &segments);
-            let bent = hull::through_near_points(&missing, &points, &on_hull, closest);
+            let bent = hull::through_near_points(&missing, &points, &outer, &on_hull, closest);
             let is_bent = bent.len() > missing.len();
             let is_crossed = is_bent && hull::is_crossed(&bent, &points, &segments);
             let chain = if is_crossed { missing } else { bent };
             segments.extend(hull::missing(chain, &segments));
             input_segments.resize(segments.len(), u32::MAX);
             segment_tags.resize(segments.len(), 0);
+            if !has_segments {
+                order = outer; // the others are too far within to meet a hull edge
+            }
         }
 
         let (adjoining_start, adjoining) = adjoining::adjoining(&points, &segments);
@@ -174,7 +181,7 @@ impl Domain {
             located,
             input_points: &input_points,
             input_segments: &input_segments,
-            enclosed: if region == Region::Hull { Enclosed::All } else { pslg.enclosed },
+            region,
         };
         let Meshed { faces, holes, regions, points: meshed_points } =
             clean.meshed(&mut warnings)?;

@@ -17,7 +17,7 @@ pub struct Linework<'a> {
     pub points: &'a [[f64; 2]],
     /// Distinct segments of positive length.
     pub segments: &'a [[u32; 2]],
-    /// The points in lexicographic order.
+    /// The points in lexicographic order; of those that no segment ends at or meets, perhaps not all.
     pub order: &'a [u32],
     /// As [`Domain::adjoining_start`](super::Domain::adjoining_start).
     pub adjoining_start: &'a [u32],
@@ -36,7 +36,7 @@ impl<'a> Linework<'a> {
 /// What a clean sweep finds.
 #[derive(Debug)]
 pub struct Located {
-    /// For each point the segment directly below it, `u32::MAX` where there is none. ("Below" is
+    /// For each point of the order the segment directly below it, `u32::MAX` where there is none. ("Below" is
     /// meant lexicographically: a point above the upper end of a vertical segment lies beside it.)
     pub below: Vec<u32>,
     /// Where each seed lies.

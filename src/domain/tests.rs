@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::formats::Enclosed;
 
 /// An untagged outline without a file.
 fn outline(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {

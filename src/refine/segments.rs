@@ -40,17 +40,9 @@ impl Segments {
         }
         let ends: Vec<_> =
             domain.segments.iter().map(|ends| ends.map(|p| vertex_of[p as usize])).collect();
-        let mut adjoining = Vec::with_capacity(domain.adjoining.len());
-        let mut adjoining_start = vec![0];
-        for &point in domain_points {
-            let range = domain.adjoining_start[point as usize] as usize
-                ..domain.adjoining_start[point as usize + 1] as usize;
-            adjoining.extend_from_slice(&domain.adjoining[range]);
-            adjoining_start.push(adjoining.len() as u32);
-        }
+        let (adjoining_start, adjoining) = adjoining(&ends, domain, domain_points);
         let mut made = Self { ends, adjoining, adjoining_start, sines: Vec::new(), floor };
-        let points: Vec<_> = domain_points.iter().map(|&p| domain.points[p as usize]).collect();
-        made.sines = made.smallest_sines(&points);
+        made.sines = made.smallest_sines(domain, domain_points);
         made
     }
 
@@ -79,8 +71,11 @@ impl Segments {
     /// The angle between two segments at the end they share.
     #[must_use]
     pub fn angle(&self, s: u32, t: u32, shared: [End; 2], points: &[[f64; 2]]) -> Angle {
+        self.angle_of(s, t, shared, |v| points[v as usize])
+    }
+
+    fn angle_of(&self, s: u32, t: u32, shared: [End; 2], at: impl Fn(u32) -> [f64; 2]) -> Angle {
         let (s, t) = (self.ends[s as usize], self.ends[t as usize]);
-        let at = |v: u32| points[v as usize];
         let [i, j] = shared.map(usize::from);
         Angle::at(at(s[i]), at(s[1 - i]), at(t[1 - j]))
     }
@@ -207,9 +202,10 @@ impl Segments {
 
     /// For each end of each segment, the sine of the smallest angle below 90° there, or 0. The
     /// smallest angle is one to a rotational neighbour.
-    fn smallest_sines(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    fn smallest_sines(&self, domain: &Domain, domain_points: &[u32]) -> Vec<[f64; 2]> {
+        let at = |vertex: u32| domain.points[domain_points[vertex as usize] as usize];
         let mut sines = vec![[0.0; 2]; self.ends.len()];
-        for vertex in 0..points.len() as u32 {
+        for vertex in 0..domain_points.len() as u32 {
             let around = self.at(vertex);
             let pairs = match around.len() {
                 0 | 1 => 0,
@@ -219,7 +215,7 @@ impl Segments {
             for i in 0..pairs {
                 let (s, t) = (around[i], around[(i + 1) % around.len()]);
                 let Some(shared) = self.shared_end(s, t) else { continue };
-                let angle = self.angle(s, t, shared, points);
+                let angle = self.angle_of(s, t, shared, at);
                 if angle.is_acute() {
                     for (segment, end) in [(s, shared[0]), (t, shared[1])] {
                         let sine = &mut sines[segment as usize][usize::from(end)];
@@ -250,6 +246,22 @@ impl Segments {
             })
             .collect()
     }
+}
+
+/// The segments at each vertex, as in [`Segments::at`]: the starts of the ranges, one more than there
+/// are vertices, and the ranges.
+fn adjoining(ends: &[[u32; 2]], domain: &Domain, domain_points: &[u32]) -> (Vec<u32>, Vec<u32>) {
+    let mut start = vec![0; domain_points.len() + 1];
+    ends.iter().flatten().for_each(|&vertex| start[vertex as usize + 1] += 1);
+    let mut adjoining = Vec::with_capacity(domain.adjoining.len());
+    for vertex in 0..domain_points.len() {
+        // (Of many points most may be on no segment: the domain is not asked for those.)
+        if start[vertex + 1] > 0 {
+            adjoining.extend_from_slice(domain.adjoining(domain_points[vertex]));
+        }
+        start[vertex + 1] += start[vertex];
+    }
+    (start, adjoining)
 }
 
 /// A segment that adjoins at an acute angle.
