@@ -5,11 +5,14 @@
 //! the bad triangle, in the domain and not behind a segment, encroaching nothing, and at least
 //! √2·|ab| from every vertex, ab the trigger edge. So termination and every promise stay.
 
-use super::quality::{self, Trigger};
+use super::quality::Trigger;
 use super::queue::Entry;
+use super::survey::{Look, Prospect, Survey};
 use super::{Refinement, soft};
 use crate::constructions::{beside_bisector, on_bisector};
 use crate::corners::{next, previous};
+use crate::parameters::MinAngle;
+use crate::predicates::Relative;
 
 /// Heights over the trigger edge, in its lengths; the circumcenter's comes on top. The last is the
 /// off-center's: there the new triangle's angle is a little above κ̂.
@@ -60,14 +63,20 @@ struct Outlook {
     /// Whether any triangle of its star is bad.
     makes_bad: bool,
     /// Bad triangles made less those removed.
-    balance: isize,
+    balance: i64,
+}
+
+impl Outlook {
+    fn of(Prospect { made, removed }: Prospect) -> Self {
+        Self { makes_bad: made > 0, balance: i64::from(made) - i64::from(removed) }
+    }
 }
 
 /// What a Steiner point for the sake of a bad triangle must keep.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Demand {
     /// The triangle.
-    slot: u32,
+    pub slot: u32,
     /// The ends of its trigger edge.
     ends: [[f64; 2]; 2],
     /// How high its circumcenter stands over that, in the edge's lengths.
@@ -75,7 +84,7 @@ pub(super) struct Demand {
     radius: f64,
     aim: Aim,
     /// The least squared distance from every vertex.
-    nearest: f64,
+    pub nearest: f64,
 }
 
 impl Demand {
@@ -84,11 +93,6 @@ impl Demand {
         let [a, b] = self.ends;
         let [cx, cy] = on_bisector(a, b, self.circumcenter);
         [cx + self.radius * x, cy + self.radius * y]
-    }
-
-    /// The least squared distance from every vertex.
-    pub fn nearest(&self) -> f64 {
-        self.nearest
     }
 
     /// The places that look-ahead tries.
@@ -106,18 +110,24 @@ impl Refinement<'_> {
             return None;
         }
         let demand = self.demand(entry.slot, trigger);
-        let mut best: Option<(Outlook, [f64; 2])> = None;
-        for place in demand.places() {
-            let point = self.precision.round(place);
-            if !self.may_stand(point, &demand) {
-                continue;
+        let mut survey = std::mem::take(&mut self.survey);
+        survey.begin(&self.mesh, (demand.slot, demand.nearest), demand.places());
+        survey.look_around(&self.mesh, &Ahead(self));
+        let best = self.best_that_may_stand(&mut survey, &demand);
+        self.survey = survey;
+        best
+    }
+
+    /// The best place of a survey that keeps the rule, exactly.
+    fn best_that_may_stand(&mut self, survey: &mut Survey, demand: &Demand) -> Option<[f64; 2]> {
+        while let Some((i, _)) = survey.best(Outlook::of) {
+            let point = self.precision.round(survey.place(i));
+            if self.may_stand(point, demand) {
+                return Some(point);
             }
-            let outlook = self.outlook();
-            if best.is_none_or(|(least, _)| outlook < least) {
-                best = Some((outlook, point));
-            }
+            survey.forbid(i);
         }
-        best.map(|(_, point)| point)
+        None
     }
 
     /// What the Steiner point of a bad triangle must keep.
@@ -153,15 +163,30 @@ impl Refinement<'_> {
             && self.cavity.expect_visible(&self.mesh).is_ok()
             && (demand.aim != Aim::Target || soft::may_stand(self.domain, point, demand.radius))
     }
+}
 
-    /// What committing the point of the cavity would do. (Rounded: it only chooses.)
-    fn outlook(&self) -> Outlook {
-        let target = self.target();
-        let sides = self.cavity.boundary.iter();
-        let made = sides.filter(|side| quality::may_be_small(side.seen[0], side.seen[1], target));
-        let made = made.count();
-        let removed = self.cavity.star.iter().filter(|&&slot| self.small_angle(slot).is_some());
-        Outlook { makes_bad: made > 0, balance: made as isize - removed.count() as isize }
+/// What look-ahead looks at: angles.
+struct Ahead<'r, 'a>(&'r Refinement<'a>);
+
+impl Look for Ahead<'_, '_> {
+    fn must_stay(&self, _: u32) -> bool {
+        false
+    }
+
+    fn is_bad(&self, slot: u32) -> bool {
+        self.0.small_angle(slot).is_some()
+    }
+
+    fn target(&self) -> MinAngle {
+        self.0.target()
+    }
+
+    fn may_be_too_large(&self) -> Option<impl Fn([Relative; 2]) -> bool> {
+        None::<fn([Relative; 2]) -> bool>
+    }
+
+    fn most_made(&self) -> u32 {
+        u32::MAX
     }
 }
 

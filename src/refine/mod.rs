@@ -39,6 +39,7 @@ pub mod sizing;
 pub mod soft;
 mod stall;
 pub mod steiner;
+mod survey;
 pub mod terminator;
 pub mod thin;
 pub mod trace;
@@ -60,6 +61,7 @@ use queue::{Entry, Order, Queue};
 use segments::Segments;
 use sizes::Sizes;
 use sizing::Sizing;
+use survey::Survey;
 use thin::Tried;
 use trace::{Cause, Listener, Proposer, Refusal};
 
@@ -97,6 +99,7 @@ pub struct Refinement<'a> {
     queue: Queue,
     pending: VecDeque<([u32; 2], Cause)>,
     cavity: Cavity,
+    survey: Survey,
     /// With [`Parameters::incremental`]: what the mesh may know of so far.
     introduced: Option<Introduced>,
 }
@@ -222,6 +225,7 @@ impl<'a> Refinement<'a> {
             queue: Queue::default(),
             pending: VecDeque::new(),
             cavity: Cavity::default(),
+            survey: Survey::default(),
             introduced: parameters.incremental.then(|| Introduced::none_of(domain)),
         }
     }
@@ -513,12 +517,11 @@ impl<'a> Refinement<'a> {
         splits(next(edge)) && splits(previous(edge))
     }
 
-    /// A quick look at the triangle that the cavity's point makes, or has made, with a boundary
-    /// edge: whether it may be bad.
-    fn may_be_bad(&self, i: usize) -> bool {
-        let [a, b] = self.cavity.boundary[i].seen;
+    /// A quick look at the triangle that a point makes with an edge of its cavity's boundary: whether
+    /// it may be bad.
+    fn may_be_bad(&self, [a, b]: [Relative; 2], region: u32) -> bool {
         quality::may_be_small(a, b, self.target())
-            || self.sizing.may_be_too_large(a, b, self.cavity.region(i))
+            || self.sizing.may_be_too_large(a, b, region)
             || self.sizes.is_some()
     }
 

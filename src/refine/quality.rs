@@ -13,15 +13,16 @@ pub fn may_be_small(a: Relative, b: Relative, kappa: MinAngle) -> bool {
     let (cross, dot) = (a.cross(b), a.dot(b));
     // |·||·|cos of the three angles: all have the same |·||·|sin, so the largest is the smallest
     // angle's.
-    let largest = dot.max(a.squared - dot).max(b.squared - dot);
+    let larger = |x, y| if x > y { x } else { y };
+    let largest = larger(dot, larger(a.squared - dot, b.squared - dot));
     may_be_below(cross, largest, kappa)
 }
 
 /// Whether an angle may be below κ̂, by its rounded sine and cosine up to a common factor.
 #[inline]
 fn may_be_below(cross: f64, dot: f64, kappa: MinAngle) -> bool {
-    dot > 0.0
-        && kappa.denominator * (cross * cross) <= (kappa.numerator * 1.000_000_1) * (dot * dot)
+    (dot > 0.0)
+        & (kappa.denominator * (cross * cross) <= (kappa.numerator * 1.000_000_1) * (dot * dot))
 }
 
 /// What a quick look at a triangle tells.

@@ -35,6 +35,12 @@ impl Sizing {
         Self { twice_largest, local: LocalAreas::new(local_areas) }
     }
 
+    /// Whether there is any bound.
+    #[must_use]
+    pub fn has_bounds(&self) -> bool {
+        !self.twice_largest.is_empty() || self.local.is_some()
+    }
+
     /// Whether the triangle of the point that `a` and `b` are seen from may be too large: a bound
     /// that depends on the place counts everywhere.
     #[inline]

@@ -3,18 +3,16 @@
 use super::super::Refinement;
 use super::super::look_ahead::Demand;
 use super::super::quality::Trigger;
+use super::super::survey::Look;
 use super::Thinner;
+use crate::parameters::MinAngle;
 use crate::predicates::{self, Relative};
 use crate::triangulation::{Edge, Triangle};
 
 /// How many of a point's neighbours may go out with it.
 const MOST_NEIGHBORS: u64 = 3;
-/// How many random places in the circumdisc of a bad triangle are tried, besides look-ahead's.
-const RANDOM_PLACES: usize = 30;
-/// How many of all these are looked at closely.
-const PLACES: usize = 10;
-/// The same where there is a soft target: more of them make a bad triangle.
-const PLACES_FOR_TARGET: usize = 24;
+/// How many places are surveyed at least, if they are not to remove all bad triangles.
+const PLACES: u32 = 12;
 
 /// A triangle that was made.
 #[derive(Debug, Clone, Copy)]
@@ -24,31 +22,36 @@ pub(super) struct Found {
     trigger: Option<Trigger>,
 }
 
-/// A place for a point, and how many bad triangles there would be after its commit.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Candidate {
-    point: [f64; 2],
-    bad: usize,
+/// What thinning looks at: the bad triangles that it knows of, and what it must not touch.
+struct Thinning<'r, 'a> {
+    refinement: &'r Refinement<'a>,
+    thinner: &'r Thinner,
+    region: u32,
+    most_made: u32,
 }
 
-/// The circumdisc of a triangle, rounded.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Disc {
-    center: [f64; 2],
-    squared: f64,
-}
-
-impl Disc {
-    fn around([p, a, b]: [[f64; 2]; 3]) -> Self {
-        let (a, b) = (Relative::of(a, p), Relative::of(b, p));
-        let twice = 2.0 * a.cross(b);
-        let x = (a.squared * b.y - b.squared * a.y) / twice;
-        let y = (b.squared * a.x - a.squared * b.x) / twice;
-        Self { center: [p[0] + x, p[1] + y], squared: x * x + y * y }
+impl Look for Thinning<'_, '_> {
+    fn must_stay(&self, slot: u32) -> bool {
+        self.thinner.touches_frozen(&[slot])
     }
 
-    fn holds(&self, point: [f64; 2]) -> bool {
-        Relative::of(self.center, point).squared < self.squared
+    fn is_bad(&self, slot: u32) -> bool {
+        self.thinner.bad.iter().any(|found| found.slot == slot)
+    }
+
+    fn target(&self) -> MinAngle {
+        self.refinement.target()
+    }
+
+    fn may_be_too_large(&self) -> Option<impl Fn([Relative; 2]) -> bool> {
+        let Refinement { sizing, sizes, .. } = self.refinement;
+        let may_be =
+            |[a, b]: [Relative; 2]| sizes.is_some() || sizing.may_be_too_large(a, b, self.region);
+        (sizes.is_some() || sizing.has_bounds()).then_some(may_be)
+    }
+
+    fn most_made(&self) -> u32 {
+        self.most_made
     }
 }
 
@@ -166,82 +169,53 @@ impl Refinement<'_> {
     /// no bad triangle.
     fn put_in(&mut self, worst: Found, last: bool, thinner: &mut Thinner) -> Option<()> {
         let demand = self.demand(worst.slot, worst.trigger?);
-        let best = self.best(&demand, last, thinner)?;
-        if self.cavity.point != best.point {
-            self.cavity.of_steiner_point(&self.mesh, best.point, worst.slot).ok()?;
-        }
+        self.survey(&demand, last, thinner);
+        self.find_best(&demand, last, thinner)?;
         thinner.journal.note_commit(&self.mesh, &self.cavity);
         self.mesh.commit(&mut self.cavity);
         self.provenances.push_steiner_point();
         self.size_new_vertex();
         for i in 0..self.cavity.boundary.len() {
-            if self.may_be_bad(i) {
+            if self.may_be_bad(self.cavity.boundary[i].seen, self.cavity.region(i)) {
                 self.judge(self.cavity.star[i], thinner);
             }
         }
         Some(())
     }
 
-    /// The place that leaves the fewest bad triangles, if any keeps the rule.
+    /// Surveys look-ahead's places for a point, and random ones.
     ///
-    /// A point removes only triangles whose circumdiscs hold it: so places are looked at in the
-    /// order of how many those are, and no more of them than can be better than the best so far.
-    fn best(&mut self, demand: &Demand, last: bool, thinner: &mut Thinner) -> Option<Candidate> {
-        self.find_places(demand, last, thinner);
-        let places = std::mem::take(&mut thinner.places);
-        let most = if self.parameters.soft_angle.is_some() { PLACES_FOR_TARGET } else { PLACES };
-        let in_order = (0..=thinner.bad.len())
-            .flat_map(|least| places.iter().filter(move |place| place.bad == least));
-        let mut best: Option<Candidate> = None;
-        for &Candidate { point, bad: least } in in_order.take(most) {
-            if best.is_some_and(|best| best.bad <= least) {
-                break;
-            }
-            if !self.may_stand(point, demand) || thinner.touches_frozen(&self.cavity.star) {
-                continue;
-            }
-            let bad = self.bad_after(thinner);
-            if (bad == 0 || !last) && best.is_none_or(|best| bad < best.bad) {
-                best = Some(Candidate { point, bad });
-            }
-        }
-        thinner.places = places;
-        best
+    /// A point removes only triangles whose circumdiscs hold it: so only places are surveyed that may
+    /// remove the most bad ones.
+    fn survey(&self, demand: &Demand, last: bool, thinner: &mut Thinner) {
+        let mut survey = std::mem::take(&mut thinner.survey);
+        let mut random = thinner.random.clone();
+        let drawn = std::iter::repeat_with(|| demand.in_circumdisc(random.in_disc()));
+        let bad = thinner.bad.iter().map(|found| found.slot);
+        survey.begin(&self.mesh, (demand.slot, demand.nearest), demand.places().chain(drawn));
+        survey.keep_in_most_discs(&self.mesh, bad, (!last).then_some(PLACES));
+        let region = self.mesh.regions.get(demand.slot as usize).copied().unwrap_or(0);
+        let most_made = if last { 0 } else { u32::MAX };
+        survey.look_around(&self.mesh, &Thinning { refinement: self, thinner, region, most_made });
+        thinner.survey = survey;
+        thinner.random = random;
     }
 
-    /// Places for a point, each with how many bad triangles it leaves at least.
-    fn find_places(&self, demand: &Demand, last: bool, thinner: &mut Thinner) {
-        let Thinner { bad, discs, corners, places, random, .. } = thinner;
-        discs.clear();
-        discs.extend(bad.iter().map(|found| Disc::around(self.mesh.corners(found.slot))));
-        let mut vertices: Vec<u32> = bad.iter().flat_map(|found| found.vertices).collect();
-        vertices.sort_unstable();
-        vertices.dedup();
-        corners.clear();
-        corners.extend(vertices.into_iter().map(|v| self.mesh.points[v as usize]));
-        places.clear();
-        let drawn = (0..RANDOM_PLACES).map(|_| demand.in_circumdisc(random.in_disc()));
-        for place in demand.places().chain(drawn) {
-            let point = self.precision.round(place);
-            let left = if last {
-                usize::from(discs.iter().any(|disc| !disc.holds(point)))
-            } else {
-                discs.iter().map(|disc| usize::from(!disc.holds(point))).sum()
-            };
-            let is_near =
-                |corner: &[f64; 2]| Relative::of(*corner, point).squared < demand.nearest();
-            let does_enough = left == 0 || !last;
-            if does_enough && !corners.iter().any(is_near) {
-                places.push(Candidate { point, bad: left });
+    /// Finds the cavity of the place that leaves the fewest bad triangles, if any keeps the rule.
+    fn find_best(&mut self, demand: &Demand, last: bool, thinner: &mut Thinner) -> Option<()> {
+        let bad = thinner.bad.len() as u32;
+        let Thinner { survey, .. } = thinner;
+        while let Some((i, left)) =
+            survey.best(|would| (bad + would.made).saturating_sub(would.removed))
+        {
+            if left > 0 && last {
+                return None;
             }
+            if self.may_stand(self.precision.round(survey.place(i)), demand) {
+                return Some(());
+            }
+            survey.forbid(i);
         }
-    }
-
-    /// How many bad triangles there would be after the commit of the cavity's point. (Rounded: it
-    /// only chooses.)
-    fn bad_after(&self, thinner: &Thinner) -> usize {
-        let made = (0..self.cavity.boundary.len()).filter(|&i| self.may_be_bad(i)).count();
-        let stays = |found: &&Found| !self.cavity.star.contains(&found.slot);
-        made + thinner.bad.iter().filter(stays).count()
+        None
     }
 }

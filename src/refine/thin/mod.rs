@@ -18,11 +18,12 @@ mod tests;
 
 use std::ops::ControlFlow;
 
+use super::survey::Survey;
 use super::{Progress, Refinement};
 use crate::parameters::Thinning;
 use crate::random::Random;
 use crate::triangulation::{Journal, Star};
-use attempt::{Candidate, Disc, Found};
+use attempt::Found;
 
 /// How many tries there are for each Steiner point with [`Thinning::Auto`].
 const TRIES_PER_POINT: u64 = 20;
@@ -92,11 +93,7 @@ struct Thinner {
     bad: Vec<Found>,
     /// Of these, the ones with an angle that misses the soft target.
     missed: Vec<Found>,
-    /// The circumdiscs of bad triangles, and their corners.
-    discs: Vec<Disc>,
-    corners: Vec<[f64; 2]>,
-    /// Places for a point.
-    places: Vec<Candidate>,
+    survey: Survey,
     /// The points that a try takes out.
     out: Vec<u32>,
 }
@@ -113,9 +110,7 @@ impl Thinner {
             made: Vec::new(),
             bad: Vec::new(),
             missed: Vec::new(),
-            discs: Vec::new(),
-            corners: Vec::new(),
-            places: Vec::new(),
+            survey: Survey::default(),
             out: Vec::new(),
         };
         thinner.freeze(refinement);
