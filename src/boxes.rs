@@ -127,16 +127,6 @@ impl Boxes {
         Self { items, nodes }
     }
 
-    /// A tree that halves the items in the order given, for items of which neighbours are near each
-    /// other: it is made without sorting.
-    pub fn in_order(rectangles: &[Rectangle]) -> Self {
-        let mut nodes = Vec::with_capacity(2 * rectangles.len());
-        if !rectangles.is_empty() {
-            build_in_order(rectangles, &mut nodes);
-        }
-        Self { items: (0..rectangles.len() as u32).collect(), nodes }
-    }
-
     /// The whole tree; `None` without items.
     pub fn root(&self) -> Option<Node> {
         (!self.items.is_empty()).then_some(Node { index: 0, start: 0, end: self.items.len() })
@@ -237,52 +227,6 @@ impl Boxes {
         ControlFlow::Continue(())
     }
 
-    /// The least squared distance of an item of this tree and one of the other (which may be this
-    /// one), if it is less than `bound`; `distance_squared` gives it, infinite for a pair that does
-    /// not count. Each pair of nodes visited is taken from `budget`; the search ends where that is
-    /// used up.
-    pub fn least_distance_squared(
-        &self,
-        other: &Self,
-        mut bound: f64,
-        budget: &mut usize,
-        distance_squared: impl Fn(u32, u32) -> f64,
-    ) -> Option<f64> {
-        let is_itself = std::ptr::eq(self, other);
-        let mut least = None;
-        let mut pending: Vec<[Node; 2]> =
-            self.root().zip(other.root()).map(<[_; 2]>::from).into_iter().collect();
-        while let Some([first, second]) = pending.pop() {
-            if *budget == 0 {
-                break;
-            }
-            *budget -= 1;
-            if self.rectangle(first).gap_squared(other.rectangle(second)) >= bound {
-                continue;
-            }
-            match (self.below(first), other.below(second)) {
-                (Below::Item(item), Below::Item(with)) => {
-                    let distance = distance_squared(item, with);
-                    if distance < bound {
-                        (bound, least) = (distance, Some(distance));
-                    }
-                }
-                // Of a tree with itself each pair is visited once.
-                (Below::Halves([left, right]), _) if is_itself && first == second => {
-                    pending.extend([[left, right], [right, right], [left, left]]);
-                }
-                (Below::Halves([left, right]), _) if first.size() >= second.size() => {
-                    pending.extend([[right, second], [left, second]]);
-                }
-                (_, Below::Halves([left, right])) => {
-                    pending.extend([[first, right], [first, left]]);
-                }
-                (Below::Halves(_), Below::Item(_)) => unreachable!("the larger one has one item"),
-            }
-        }
-        least
-    }
-
     /// The nearest item to a point, if one is nearer than the square root of `bound`: its number
     /// and its squared distance, as `distance_squared` gives it. Subtrees that `skips` names are
     /// left out. Each node visited is taken from `budget`; the search ends where that is used up.
@@ -347,29 +291,11 @@ fn build(rectangles: &[Rectangle], items: &mut [u32], nodes: &mut Vec<Rectangle>
     build(rectangles, right, nodes);
 }
 
-/// Appends the subtree of items as they stand; returns the rectangle around them.
-fn build_in_order(rectangles: &[Rectangle], nodes: &mut Vec<Rectangle>) -> Rectangle {
-    let place = nodes.len();
-    nodes.push(rectangles[0]);
-    if rectangles.len() > 1 {
-        let (left, right) = rectangles.split_at(rectangles.len() / 2);
-        let left = build_in_order(left, nodes);
-        nodes[place] = left.union(build_in_order(right, nodes));
-    }
-    nodes[place]
-}
-
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
     use super::*;
-
-    fn rectangles() -> impl Strategy<Value = Vec<Rectangle>> {
-        let corner = || [-8_i8..8, -8_i8..8].prop_map(|place| place.map(f64::from));
-        let rectangle = (corner(), corner()).prop_map(|(a, b)| Rectangle::around(a, b));
-        proptest::collection::vec(rectangle, 0..40)
-    }
 
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
@@ -388,27 +314,6 @@ mod tests {
                 let mut held = points.iter().filter(|&&p| within.holds_well(p, 0.0));
                 prop_assert!(!bounds || held.all(|&p| left(a, b, p) > 0.0));
             }
-        }
-
-        #[test]
-        fn the_least_distance_is_that_of_all_pairs(a in rectangles(), b in rectangles()) {
-            let least = |first: &[Rectangle], second: &[Rectangle], is_itself: bool| {
-                let gap = |i: u32, j: u32| match is_itself && i == j {
-                    true => f64::INFINITY,
-                    false => first[i as usize].gap_squared(&second[j as usize]),
-                };
-                let all = (0..first.len() as u32).flat_map(|i| (0..second.len() as u32).map(move |j| (i, j)));
-                let expected = all.map(|(i, j)| gap(i, j)).fold(f64::INFINITY, f64::min);
-                let (tree, other) = (Boxes::in_order(first), Boxes::new(second));
-                let (tree, other) = if is_itself { (&tree, &tree) } else { (&tree, &other) };
-                let mut budget = usize::MAX;
-                let found = tree.least_distance_squared(other, f64::INFINITY, &mut budget, gap);
-                (found, expected.is_finite().then_some(expected))
-            };
-            let (found, expected) = least(&a, &b, false);
-            prop_assert_eq!(found, expected);
-            let (found, expected) = least(&a, &a, true);
-            prop_assert_eq!(found, expected);
         }
     }
 }

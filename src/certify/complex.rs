@@ -30,6 +30,8 @@ pub(super) struct Complex<'a> {
     numbers: Option<Vec<u32>>,
     /// The opposite half-edge, or [`NONE`].
     pub(super) twin: Vec<u32>,
+    /// The sum of the triangles' areas, in judged coordinates.
+    pub(super) area: f64,
     /// Whether a sound triangle has this point.
     pub(super) used: Vec<bool>,
     /// Half-edges by their smaller point (`start` delimits them), then by their larger one.
@@ -51,10 +53,7 @@ struct Unsound {
 impl<'a> Complex<'a> {
     /// Sorts out the triangles of `mesh`, reporting to `g1` what is no complex.
     pub(super) fn new(mesh: &'a Mesh, frame: Frame, g1: &mut Judgement) -> Self {
-        let points = match frame.changes_nothing() {
-            true => Cow::Borrowed(&mesh.points[..]),
-            false => mesh.points.iter().map(|&p| frame.scaled(p)).collect(),
-        };
+        let points = frame.all_scaled(&mesh.points);
         let finite: Vec<bool> = points.iter().map(|p| p.iter().all(|x| x.is_finite())).collect();
         for (i, _) in finite.iter().enumerate().filter(|(_, finite)| !**finite) {
             g1.add(Fault::at_point(mesh, FaultKind::NotFinite, i as u32));
@@ -66,12 +65,14 @@ impl<'a> Complex<'a> {
             triangles: Cow::Borrowed(&mesh.triangles),
             numbers: None,
             twin: Vec::new(),
+            area: 0.0,
             used: vec![false; mesh.points.len()],
             by_smaller: Vec::new(),
             start: Vec::new(),
             leaving: std::cell::OnceCell::new(),
         };
         complex.take_sound_triangles(&finite, g1);
+        complex.area = complex.sum_of_areas();
         complex.glue(g1);
         complex
     }
@@ -272,11 +273,11 @@ impl<'a> Complex<'a> {
 
     /// The sum of the triangles' areas, in the units of the file.
     pub(super) fn area_outside(&self) -> f64 {
-        self.frame.area_outside(self.area())
+        self.frame.area_outside(self.area)
     }
 
     /// The sum of the triangles' areas, in judged coordinates.
-    pub(super) fn area(&self) -> f64 {
+    fn sum_of_areas(&self) -> f64 {
         let mut doubled = exact::Double::default();
         for t in 0..self.triangles.len() {
             let [a, b, c] = self.corners(t);

@@ -4,6 +4,8 @@
 //! two, so that no product of four lengths over- or underflows (ALGORITHM §1). That changes no
 //! answer: it only rounds coordinates that are some 2^900 times smaller than the largest one.
 
+use std::borrow::Cow;
+
 /// A power of two for the coordinates, and the spacing of doubles there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
@@ -35,9 +37,12 @@ impl Frame {
         Self { ulp: self.ulp_at(self.scaled([largest, 0.0])[0]), ..self }
     }
 
-    /// Whether judged coordinates are the given ones.
-    pub(super) fn changes_nothing(self) -> bool {
-        self.exponent == 0
+    /// Points in judged coordinates, which most often are the given ones.
+    pub(super) fn all_scaled(self, points: &[[f64; 2]]) -> Cow<'_, [[f64; 2]]> {
+        match self.exponent {
+            0 => Cow::Borrowed(points),
+            _ => points.iter().map(|&p| self.scaled(p)).collect(),
+        }
     }
 
     /// A point in judged coordinates.

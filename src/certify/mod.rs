@@ -18,6 +18,7 @@
 //! | G10 | the stiffness matrix is an M-matrix | `delaunay` |
 
 mod angles;
+mod closest;
 mod complex;
 mod conformity;
 mod cover;

@@ -5,6 +5,7 @@
 //! (the first of each keeps its tag). The faces are found by walking the half-edges, and are put
 //! inside one another by one sweep from left to right.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use super::complex::NONE;
@@ -23,7 +24,7 @@ use crate::parameters::Region;
 pub(super) struct Outline<'a> {
     pub(super) pslg: &'a Pslg,
     frame: Frame,
-    pub(super) points: Vec<[f64; 2]>,
+    pub(super) points: Cow<'a, [[f64; 2]]>,
     /// The first point with the same coordinates; [`NONE`] for what is not finite.
     pub(super) same: Vec<u32>,
     /// The distinct points, from left to right (below to above where equal).
@@ -74,7 +75,7 @@ impl<'a> Outline<'a> {
         let mut outline = Self {
             pslg,
             frame,
-            points: pslg.points.iter().map(|&p| frame.scaled(p)).collect(),
+            points: frame.all_scaled(&pslg.points),
             same: Vec::new(),
             sorted: Vec::new(),
             segments: Vec::new(),

@@ -6,8 +6,8 @@
 //! has shorter edges by right; so an edge below the bound is a fault only where the run is known to
 //! have been a plain one.
 //!
-//! The index is [`boxes`](crate::boxes), which knows rectangles and nothing else.
 
+use super::closest::Runs;
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
 use super::fault::{Fault, FaultKind};
@@ -15,14 +15,13 @@ use super::outline::{Outline, distance};
 use super::precision::Floor;
 use super::provenance::UNKNOWN;
 use super::verdict::{Corollary2, Judgement, Promise};
-use crate::boxes::{Boxes, Rectangle};
+use crate::boxes::Rectangle;
 use crate::formats::Provenance;
-use crate::hilbert::Curve;
 
 /// Rounding of the lengths that are compared, relative.
 const SLACK: f64 = 1e-9;
 
-/// The search for lfs′_min gives up after this many nodes of the tree for each point, on average.
+/// The search for lfs′_min gives up after this many pairs for each point, on average.
 const MOST_VISITS_PER_POINT: usize = 1000;
 
 /// Judges G8; what the bound rests on, in the units of the file.
@@ -39,32 +38,18 @@ pub(super) fn judge(
         *g8 = Judgement::not_judged(g8.guarantee, UNKNOWN);
         return None;
     }
-    let augmented = Augmented::new(outline, complex, chains);
-    let Some(lfs_min) = augmented.lfs_min(shortest_between_features(complex, chains)) else {
+    let Some(lfs_min) = Augmented::new(outline, complex, chains).lfs_min() else {
         *g8 = Judgement::not_judged(g8.guarantee, "the least feature size takes too long to find");
         return None;
     };
     let mu = 1.0 + std::f64::consts::SQRT_2 / (1.0 - 2.0 * libm::sin(promise.min_angle.radians()));
     let bound = lfs_min * 2.0 * libm::sin(0.5 * theta_star) / mu;
-    let mut shortest = f64::INFINITY;
+    let shortest = shortest_squared(complex).sqrt();
     let has_sizes = !outline.pslg.point_sizes.is_empty()
         || outline.pslg.regions.iter().any(|region| region.max_area.is_some());
     let is_plain = promise.is_plain.map(|is_plain| is_plain && !has_sizes);
-    for h in 0..complex.twin.len() as u32 {
-        let [v, w] = complex.edge(h);
-        let twin = complex.twin[h as usize];
-        if twin != NONE && twin < h {
-            continue;
-        }
-        let length = distance(complex.at(v), complex.at(w));
-        shortest = shortest.min(length);
-        if length < bound * (1.0 - SLACK) && is_plain == Some(true) {
-            let bound = complex.frame.length_outside(bound);
-            let length = complex.frame.length_outside(length);
-            let kind = FaultKind::TooShort { length, bound };
-            let is_limited = floor.covers(&complex.triangles[h as usize / 3]);
-            g8.add_unless(is_limited, Fault::at_edge(complex.mesh, kind, [v, w]));
-        }
+    if shortest < bound * (1.0 - SLACK) && is_plain == Some(true) {
+        report_short_edges(complex, floor, bound, g8);
     }
     if shortest < bound * (1.0 - SLACK) && is_plain != Some(true) {
         const REASON: &str = "edges are shorter than the outline alone asks for, as sizes and soft \
@@ -76,90 +61,117 @@ pub(super) fn judge(
     Some(Corollary2 { lfs_min, bound, shortest })
 }
 
-/// The squared length of the shortest edge between points of the augmented outline: its closest
-/// pair is as close or closer, and most often just that, as the closest points are Delaunay
-/// neighbours.
-fn shortest_between_features(complex: &Complex, chains: &Chains) -> f64 {
-    let is_feature = |v: u32| {
-        chains.input[v as usize] != NONE
-            || (complex.mesh.provenance[v as usize] == Provenance::Shell
-                && chains.inside[v as usize] != NONE)
-    };
-    let edges = (0..complex.twin.len() as u32).map(|h| complex.edge(h));
-    let between = edges.filter(|edge| edge.iter().all(|&v| is_feature(v)));
-    between.map(|[v, w]| squared(complex.at(v), complex.at(w))).fold(f64::INFINITY, f64::min)
+/// Tells of every edge below the bound.
+fn report_short_edges(complex: &Complex, floor: &Floor, bound: f64, g8: &mut Judgement) {
+    for h in 0..3 * complex.triangles.len() as u32 {
+        let [v, w] = complex.edge(h);
+        let length = distance(complex.at(v), complex.at(w));
+        let twin = complex.twin[h as usize];
+        if length >= bound * (1.0 - SLACK) || (twin != NONE && twin < h) {
+            continue;
+        }
+        let [length, bound] = [length, bound].map(|length| complex.frame.length_outside(length));
+        let fault = Fault::at_edge(complex.mesh, FaultKind::TooShort { length, bound }, [v, w]);
+        g8.add_unless(floor.covers(&complex.triangles[h as usize / 3]), fault);
+    }
+}
+
+/// The squared length of the shortest edge of a mesh.
+fn shortest_squared(complex: &Complex) -> f64 {
+    let lengths = (0..complex.triangles.len()).map(|t| {
+        let [a, b, c] = complex.corners(t);
+        squared(a, b).min(squared(b, c)).min(squared(c, a))
+    });
+    lengths.fold(f64::INFINITY, f64::min)
 }
 
 /// The augmented outline: its points and shell points, and the pieces of segments between them.
-struct Augmented {
-    points: Vec<[f64; 2]>,
+struct Augmented<'o> {
+    outline: &'o Outline<'o>,
+    /// The shell points; they are counted on from the outline's points.
+    shells: Vec<[f64; 2]>,
+    /// The features that are points, in the order of the curve.
+    features: Vec<u32>,
+    /// The pieces, by the number of their first end in the mesh and so along the curve.
     pieces: Vec<[u32; 2]>,
 }
 
-impl Augmented {
-    fn new(outline: &Outline, complex: &Complex, chains: &Chains) -> Self {
-        let mut points = outline.points.clone();
-        let mut pieces = Vec::new();
+impl<'o> Augmented<'o> {
+    fn new(outline: &'o Outline, complex: &Complex, chains: &Chains) -> Self {
+        let is_shell = |v: u32| complex.mesh.provenance[v as usize] == Provenance::Shell;
+        let count = outline.points.len() as u32;
+        let (mut shells, mut shell_points) = (Vec::new(), Vec::new());
+        let mut placed = Vec::new();
         for (segment, chain) in outline.segments.iter().zip(&chains.points) {
             let [mut from, to] = segment.ends;
-            for &v in chain.iter().filter(|&&v| v != NONE) {
-                if complex.mesh.provenance[v as usize] == Provenance::Shell {
-                    let shell = points.len() as u32;
-                    points.push(complex.at(v));
-                    pieces.push([from, shell]);
-                    from = shell;
-                }
+            let mut first = chains.vertex[from as usize];
+            for &v in chain.iter().filter(|&&v| v != NONE && is_shell(v)) {
+                let shell = count + shells.len() as u32;
+                shell_points.push(u64::from(v) << 32 | u64::from(shell));
+                shells.push(complex.at(v));
+                placed.push((first, [from, shell]));
+                (first, from) = (v, shell);
             }
-            pieces.push([from, to]);
+            placed.push((first, [from, to]));
         }
-        // Duplicates of points and what is no number are no features.
-        let is_feature = |v: usize| outline.same.get(v).is_none_or(|&same| same as usize == v);
-        for v in (0..points.len()).filter(|&v| !is_feature(v)) {
-            points[v] = [f64::NAN; 2];
-        }
-        Self { points, pieces }
+        placed.sort_unstable();
+        let pieces = placed.into_iter().map(|(_, piece)| piece).collect();
+        shell_points.sort_unstable();
+        let features = merged(outline, chains, &shell_points);
+        Self { outline, shells, features, pieces }
     }
 
-    /// The points that are features, so ordered that neighbours are near each other.
-    fn features_along_a_curve(&self) -> Vec<u32> {
-        let at = |v: u32| self.points[v as usize];
-        let is_feature = |&v: &u32| !at(v)[0].is_nan();
-        let mut features: Vec<u32> = (0..self.points.len() as u32).filter(is_feature).collect();
-        let nothing = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        let (low, high) = features.iter().map(|&v| at(v)).fold(nothing, |(low, high), p| {
-            ([0, 1].map(|i| low[i].min(p[i])), [0, 1].map(|i| high[i].max(p[i])))
+    fn at(&self, feature: u32) -> [f64; 2] {
+        let count = self.outline.points.len();
+        match self.outline.points.get(feature as usize) {
+            Some(&point) => point,
+            None => self.shells[feature as usize - count],
+        }
+    }
+
+    /// Half the least distance of a point and a feature that does not contain it; `None` where the
+    /// search takes too long or there is no such pair.
+    fn lfs_min(self) -> Option<f64> {
+        let at = |feature: u32| self.at(feature);
+        // Most often the closest points follow each other along the curve, or nearly so.
+        let neighbours = self.features.windows(2).map(|pair| squared(at(pair[0]), at(pair[1])));
+        let mut least = neighbours.fold(f64::INFINITY, f64::min);
+        let mut budget = MOST_VISITS_PER_POINT * self.features.len();
+        let ends = |piece: u32| self.pieces[piece as usize];
+        let points = Runs::new(self.features.clone(), |v| Rectangle::around(at(v), at(v)));
+        let pieces = Runs::new((0..self.pieces.len() as u32).collect(), |piece| {
+            let [a, b] = ends(piece).map(at);
+            Rectangle::around(a, b)
         });
-        let curve = Curve::new(low, high);
-        features.sort_by_cached_key(|&v| curve.place(at(v)));
-        features
-    }
-
-    /// Half the least distance of a point and a feature that does not contain it, of which the
-    /// square is known to be `least` or less; `None` where the search takes too long or there is no
-    /// such pair.
-    fn lfs_min(&self, mut least: f64) -> Option<f64> {
-        let at = |v: u32| self.points[v as usize];
-        let features = self.features_along_a_curve();
-        let around = |[v, w]: [u32; 2]| Rectangle::around(at(v), at(w));
-        let points: Vec<_> = features.iter().map(|&v| around([v, v])).collect();
-        let pieces: Vec<_> = self.pieces.iter().map(|&piece| around(piece)).collect();
-        let (points, pieces) = (Boxes::in_order(&points), Boxes::new(&pieces));
-        let mut budget = MOST_VISITS_PER_POINT * features.len();
-        let place = |i: u32| at(features[i as usize]);
-        let between_points = |i: u32, j: u32| match i == j {
-            true => f64::INFINITY,
-            false => squared(place(i), place(j)),
-        };
-        let to_piece = |i: u32, piece: u32| match self.pieces[piece as usize] {
-            ends if ends.contains(&features[i as usize]) => f64::INFINITY,
-            [a, b] => squared_from_segment(place(i), at(a), at(b)),
-        };
-        let found = points.least_distance_squared(&points, least, &mut budget, between_points);
+        let found = points.least_within(least, &mut budget, |v, w| squared(at(v), at(w)));
         least = found.unwrap_or(least);
-        let found = points.least_distance_squared(&pieces, least, &mut budget, to_piece);
+        let to_piece = |v: u32, piece: u32| match ends(piece) {
+            ends if ends.contains(&v) => f64::INFINITY,
+            [a, b] => squared_from_segment(at(v), at(a), at(b)),
+        };
+        let found = points.least_between(&pieces, least, &mut budget, to_piece);
         least = found.unwrap_or(least);
         (budget > 0 && least.is_finite()).then(|| 0.5 * least.sqrt())
     }
+}
+
+/// The points of an outline (duplicates and what is no number are no features) and the shell points
+/// in one order: that of the points of the mesh, which the outline's are in, too.
+///
+/// `shells`: the point of the mesh in the high half, the feature in the low one.
+fn merged(outline: &Outline, chains: &Chains, shells: &[u64]) -> Vec<u32> {
+    let mut features = Vec::with_capacity(outline.points.len() + shells.len());
+    let mut points = outline.distinct_points().peekable();
+    for &shell in shells {
+        let is_before = |&w: &u32| match chains.vertex[w as usize] {
+            NONE => true, // no point of the mesh
+            v => u64::from(v) < shell >> 32,
+        };
+        features.extend(std::iter::from_fn(|| points.next_if(is_before)));
+        features.push(shell as u32);
+    }
+    features.extend(points);
+    features
 }
 
 fn squared(p: [f64; 2], q: [f64; 2]) -> f64 {
