@@ -115,31 +115,38 @@ fn plain_cross_and_dot(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> (f64, f64) {
     (ax * by - ay * bx, ax * bx + ay * by)
 }
 
-/// The smallest and the largest angle, as cross and dot product.
+/// The smallest and the largest angle.
 #[derive(Default)]
 struct Extremes {
-    smallest: Option<(f64, f64)>,
-    largest: Option<(f64, f64)>,
+    smallest: Option<Extreme>,
+    largest: Option<Extreme>,
+}
+
+/// An angle by its cross and dot product, and their quotient.
+#[derive(Clone, Copy)]
+struct Extreme {
+    cross: f64,
+    dot: f64,
+    cotangent: f64,
 }
 
 impl Extremes {
     fn see(&mut self, cross: f64, dot: f64) {
-        let cotangent = |(cross, dot): (f64, f64)| dot / cross.abs();
-        let this = (cross, dot);
+        let this = Extreme { cross, dot, cotangent: dot / cross.abs() };
         // (Where all three points are one there is no angle: NaN is neither more nor less.)
-        if cotangent(this).is_nan() {
+        if this.cotangent.is_nan() {
             return;
         }
-        if self.smallest.is_none_or(|other| cotangent(this) > cotangent(other)) {
+        if self.smallest.is_none_or(|other| this.cotangent > other.cotangent) {
             self.smallest = Some(this);
         }
-        if self.largest.is_none_or(|other| cotangent(this) < cotangent(other)) {
+        if self.largest.is_none_or(|other| this.cotangent < other.cotangent) {
             self.largest = Some(this);
         }
     }
 
-    fn radians(extreme: Option<(f64, f64)>) -> Option<f64> {
-        extreme.map(|(cross, dot)| libm::atan2(cross.abs(), dot))
+    fn radians(extreme: Option<Extreme>) -> Option<f64> {
+        extreme.map(|Extreme { cross, dot, .. }| libm::atan2(cross.abs(), dot))
     }
 }
 
@@ -199,7 +206,7 @@ impl Suspect<'_, '_> {
 
     /// The distinct segments that the ends of the opposite edge lie strictly inside of.
     fn segments_of_ends(&self) -> Option<[u32; 2]> {
-        let [s, t] = self.edge().map(|v| self.chains.inside[v as usize]);
+        let [s, t] = self.edge().map(|v| self.chains.inside(v));
         (s != NONE && t != NONE && s != t).then_some([s, t])
     }
 

@@ -6,10 +6,13 @@
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
+use std::ops::Range;
 
+use super::edges::{self, Edges};
 use super::exact;
 use super::fault::{Fault, FaultKind};
 use super::frame::Frame;
+use super::outline::{distance, distance_squared};
 use super::verdict::Judgement;
 use crate::formats::Mesh;
 
@@ -18,7 +21,8 @@ pub(super) const NONE: u32 = u32::MAX;
 
 /// The sound triangles of a mesh and how they are glued.
 ///
-/// Half-edge 3t + k runs from corner k of triangle t to the next corner, t on its left.
+/// The triangles stand in the order of their smallest points, as [`Nearby`](super::nearby::Nearby)
+/// puts them. Half-edge 3t + k runs from corner k of triangle t to the next corner, t on its left.
 pub(super) struct Complex<'a> {
     pub(super) mesh: &'a Mesh,
     pub(super) frame: Frame,
@@ -28,15 +32,16 @@ pub(super) struct Complex<'a> {
     pub(super) triangles: Cow<'a, [[u32; 3]]>,
     /// Which triangle of the mesh each of them is; nothing where they are all.
     numbers: Option<Vec<u32>>,
-    /// The opposite half-edge, or [`NONE`].
-    pub(super) twin: Vec<u32>,
     /// The sum of the triangles' areas, in judged coordinates.
     pub(super) area: f64,
+    /// The length of the shortest edge.
+    pub(super) shortest: f64,
     /// Whether a sound triangle has this point.
     pub(super) used: Vec<bool>,
-    /// Half-edges by their smaller point (`start` delimits them), then by their larger one.
-    by_smaller: Vec<u32>,
-    start: Vec<u32>,
+    /// How they are glued.
+    edges: Edges,
+    /// The two half-edges of each edge that is not locally Delaunay, the smaller one first, in order.
+    pub(super) not_delaunay: Vec<[u32; 2]>,
     /// Half-edges by the point they leave, made when first asked for.
     leaving: std::cell::OnceCell<(Vec<u32>, Vec<u32>)>,
 }
@@ -64,15 +69,15 @@ impl<'a> Complex<'a> {
             points,
             triangles: Cow::Borrowed(&mesh.triangles),
             numbers: None,
-            twin: Vec::new(),
             area: 0.0,
+            shortest: f64::INFINITY,
             used: vec![false; mesh.points.len()],
-            by_smaller: Vec::new(),
-            start: Vec::new(),
+            edges: Edges::default(),
+            not_delaunay: Vec::new(),
             leaving: std::cell::OnceCell::new(),
         };
         complex.take_sound_triangles(&finite, g1);
-        complex.area = complex.sum_of_areas();
+        complex.measure();
         complex.glue(g1);
         complex
     }
@@ -127,74 +132,47 @@ impl<'a> Complex<'a> {
         Err(Unsound { fault: Some(fault), taken_for: Some(taken_for) })
     }
 
-    /// Finds the twins; an edge that two triangles run along in one direction is a fault.
+    /// Glues the triangles; an edge that two of them run along in one direction is a fault.
     fn glue(&mut self, g1: &mut Judgement) {
-        let halves = 3 * self.triangles.len() as u32;
-        let mut start = vec![0_u32; self.points.len() + 1];
-        for h in 0..halves {
-            start[self.smaller(h) as usize + 1] += 1;
-        }
-        for v in 1..start.len() {
-            start[v] += start[v - 1];
-        }
-        let mut next = start.clone();
-        let mut by_smaller = vec![0; halves as usize];
-        for h in 0..halves {
-            let place = &mut next[self.smaller(h) as usize];
-            by_smaller[*place as usize] = h;
-            *place += 1;
-        }
-        drop(next);
-        let mut twin = vec![NONE; halves as usize];
-        // Of one point: larger point and half-edge.
-        let mut sorted: Vec<u64> = Vec::new();
-        for (smaller, range) in (0..).zip(start.windows(2)) {
-            let around = &mut by_smaller[range[0] as usize..range[1] as usize];
-            sorted.clear();
-            sorted.extend(around.iter().map(|&h| u64::from(self.larger(h)) << 32 | u64::from(h)));
-            sorted.sort_unstable();
-            around.iter_mut().zip(&sorted).for_each(|(h, &packed)| *h = packed as u32);
-            for edge in sorted.chunk_by(|x, y| x >> 32 == y >> 32) {
-                let mut ways = [NONE; 2];
-                for h in edge.iter().map(|&packed| packed as u32) {
-                    let way = usize::from(self.origin(h) == smaller);
-                    if ways[way] == NONE {
-                        ways[way] = h;
-                    } else {
-                        let (triangle, edge) = (self.number(h), self.edge(h));
-                        g1.add(
-                            Fault::at_edge(self.mesh, FaultKind::Overlap, edge)
-                                .of_triangle(triangle),
-                        );
-                    }
-                }
-                if let [h, g] = ways
-                    && h != NONE
-                    && g != NONE
-                {
-                    (twin[h as usize], twin[g as usize]) = (g, h);
-                }
+        let mut not_delaunay = Vec::new();
+        let edges = Edges::new(&self.triangles, self.points.len(), |halves| {
+            if !self.is_locally_delaunay(halves) {
+                not_delaunay.push(halves);
             }
+        });
+        for &h in &edges.overlaps {
+            let fault = Fault::at_edge(self.mesh, FaultKind::Overlap, self.edge(h));
+            g1.add(fault.of_triangle(self.number(h)));
         }
-        (self.twin, self.by_smaller, self.start) = (twin, by_smaller, start);
+        not_delaunay.sort_unstable();
+        (self.edges, self.not_delaunay) = (edges, not_delaunay);
     }
 
-    fn smaller(&self, h: u32) -> u32 {
-        self.origin(h).min(self.target(h))
+    /// Whether the apex on one side of an edge is not strictly inside the circle of the triangle on
+    /// the other.
+    fn is_locally_delaunay(&self, [h, twin]: [u32; 2]) -> bool {
+        let [a, b, c] = [self.origin(h), self.target(h), self.apex(h)].map(|v| self.at(v));
+        exact::in_circle(a, b, c, self.at(self.apex(twin))) != Ordering::Greater
     }
 
-    fn larger(&self, h: u32) -> u32 {
-        self.origin(h).max(self.target(h))
+    /// The half-edges.
+    pub(super) fn halves(&self) -> Range<u32> {
+        0..3 * self.triangles.len() as u32
+    }
+
+    /// The half-edges that have no opposite one.
+    pub(super) fn one_sided(&self) -> &[u32] {
+        &self.edges.one_sided
     }
 
     /// The point where a half-edge begins.
     pub(super) fn origin(&self, h: u32) -> u32 {
-        self.triangles[h as usize / 3][h as usize % 3]
+        edges::origin(&self.triangles, h)
     }
 
     /// The point where a half-edge ends.
     pub(super) fn target(&self, h: u32) -> u32 {
-        self.triangles[h as usize / 3][(h as usize + 1) % 3]
+        edges::target(&self.triangles, h)
     }
 
     /// The places of a triangle's corners.
@@ -231,29 +209,21 @@ impl<'a> Complex<'a> {
 
     /// The half-edges from `v` to `w` and from `w` to `v`, each [`NONE`] where there is none.
     pub(super) fn find(&self, v: u32, w: u32) -> [u32; 2] {
-        let smaller = v.min(w) as usize;
-        let mut found = [NONE; 2];
-        if smaller + 1 >= self.start.len() {
-            return found;
+        self.edges.find(&self.triangles, v, w)
+    }
+
+    /// The opposite half-edge, or [`NONE`].
+    pub(super) fn twin(&self, h: u32) -> u32 {
+        match self.find(self.origin(h), self.target(h)) {
+            [first, twin] if first == h => twin,
+            _ => NONE, // beside another one
         }
-        let around =
-            &self.by_smaller[self.start[smaller] as usize..self.start[smaller + 1] as usize];
-        let larger = v.max(w);
-        let first = around.partition_point(|&h| self.larger(h) < larger);
-        for &h in around[first..].iter().take_while(|&&h| self.larger(h) == larger) {
-            let way = usize::from(self.origin(h) != v);
-            if found[way] == NONE {
-                found[way] = h;
-            }
-        }
-        found
     }
 
     /// The half-edges that leave `v`.
     pub(super) fn leaving(&self, v: u32) -> &[u32] {
         let (start, halves) = self.leaving.get_or_init(|| {
-            let count = 3 * self.triangles.len() as u32;
-            super::grouped(self.points.len(), (0..count).map(|h| (self.origin(h), h)))
+            super::grouped(self.points.len(), self.halves().map(|h| (self.origin(h), h)))
         });
         &halves[start[v as usize] as usize..start[v as usize + 1] as usize]
     }
@@ -266,8 +236,7 @@ impl<'a> Complex<'a> {
     /// V − E + F of the sound triangles and the points they use.
     pub(super) fn euler_characteristic(&self) -> i64 {
         let points = self.used.iter().filter(|used| **used).count() as i64;
-        let twins = self.twin.iter().filter(|twin| **twin != NONE).count() as i64;
-        let edges = self.twin.len() as i64 - twins / 2;
+        let edges = self.edges.count as i64;
         points - edges + self.triangles.len() as i64
     }
 
@@ -276,13 +245,22 @@ impl<'a> Complex<'a> {
         self.frame.area_outside(self.area)
     }
 
-    /// The sum of the triangles' areas, in judged coordinates.
-    fn sum_of_areas(&self) -> f64 {
+    /// The half-edges that are shorter than a length.
+    pub(super) fn edges_below(&self, length: f64) -> impl Iterator<Item = u32> + '_ {
+        let halves = if self.shortest < length { self.halves() } else { 0..0 };
+        halves.filter(move |&h| distance(self.at(self.origin(h)), self.at(self.target(h))) < length)
+    }
+
+    /// Sums up the triangles' areas, and finds the shortest edge.
+    fn measure(&mut self) {
         let mut doubled = exact::Double::default();
+        let mut shortest = f64::INFINITY;
         for t in 0..self.triangles.len() {
             let [a, b, c] = self.corners(t);
             doubled = doubled + exact::cross(a, b, c);
+            let sides = [(a, b), (b, c), (c, a)].map(|(p, q)| distance_squared(p, q));
+            shortest = sides.into_iter().fold(shortest, f64::min);
         }
-        0.5 * doubled.to_f64()
+        (self.area, self.shortest) = (0.5 * doubled.to_f64(), shortest.sqrt());
     }
 }

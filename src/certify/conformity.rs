@@ -10,24 +10,22 @@ use super::complex::{Complex, NONE};
 use super::exact;
 use super::fault::{Fault, FaultKind};
 use super::outline::Outline;
+use super::roles::Roles;
+use super::sequences::Sequences;
 use super::tags::Tags;
 use super::verdict::Judgement;
 
-/// A listed edge that is no part of a segment known so far.
-const LISTED: u32 = NONE - 1;
-
 /// How the segments run through the mesh.
 pub(super) struct Chains {
-    /// The points of each segment from its first end on; [`NONE`] where the chain has a gap.
-    pub(super) points: Vec<Vec<u32>>,
-    /// By half-edge: the half-edge of the outline that it is a part of, [`LISTED`], or [`NONE`].
-    role: Vec<u32>,
-    /// By point: the segment that it lies strictly inside of, or [`NONE`].
-    pub(super) inside: Vec<u32>,
+    /// The points of each segment's chain.
+    chain: Sequences,
+    /// What the half-edges along segments are.
+    roles: Roles,
+    /// By point: twice the point of the outline that it is, or twice the segment that it lies
+    /// strictly inside of and one more, or [`NONE`].
+    seats: Vec<u32>,
     /// The point of the mesh that each point of the outline is, or [`NONE`].
     pub(super) vertex: Vec<u32>,
-    /// The point of the outline that each point of the mesh is, or [`NONE`].
-    pub(super) input: Vec<u32>,
     /// Whether there is no outline.
     alone: bool,
 }
@@ -35,32 +33,36 @@ pub(super) struct Chains {
 impl Chains {
     /// The chains of a mesh without an outline: its list of edges.
     pub(super) fn listed(complex: &Complex, g4: &mut Judgement) -> Self {
-        let mut chains = Self::nothing(complex, 0);
+        let mut chains = Self::nothing(complex);
+        chains.seats = vec![NONE; complex.points.len()];
         chains.alone = true;
-        List::new(complex, &mut chains, g4);
+        List::new(complex, &mut chains.roles, g4);
         if complex.mesh.edges.is_empty() {
             // A mesh that lists none: what has one side is taken for a boundary.
-            for h in (0..complex.twin.len()).filter(|&h| complex.twin[h] == NONE) {
-                chains.role[h] = LISTED;
-            }
+            complex.one_sided().iter().for_each(|&h| chains.roles.list(h));
         }
+        chains.roles.settle();
         chains
     }
 
-    fn nothing(complex: &Complex, segments: usize) -> Self {
+    fn nothing(complex: &Complex) -> Self {
         Self {
-            points: vec![Vec::new(); segments],
-            role: vec![NONE; complex.twin.len()],
-            inside: vec![NONE; complex.points.len()],
+            chain: Sequences::default(),
+            roles: Roles::new(complex.halves().end),
+            seats: Vec::new(),
             vertex: Vec::new(),
-            input: vec![NONE; complex.points.len()],
             alone: false,
         }
     }
 
+    /// The half-edges that are pieces of segments or at least listed, in order.
+    pub(super) fn bound(&self) -> impl Iterator<Item = u32> + '_ {
+        self.roles.halves()
+    }
+
     /// The half-edge of the outline that a half-edge is a part of.
     pub(super) fn outline_half(&self, h: u32) -> Option<u32> {
-        Some(self.role[h as usize]).filter(|&role| role < LISTED)
+        self.roles.outline_half(h)
     }
 
     /// The segment that a half-edge is a part of.
@@ -74,15 +76,32 @@ impl Chains {
         if self.alone { self.is_bound(h) } else { self.segment(h).is_some() }
     }
 
+    /// The point of the outline that a point is, or [`NONE`].
+    pub(super) fn input(&self, v: u32) -> u32 {
+        let seat = self.seats[v as usize];
+        if seat % 2 == 0 { seat / 2 } else { NONE }
+    }
+
+    /// The segment that a point lies strictly inside of, or [`NONE`].
+    pub(super) fn inside(&self, v: u32) -> u32 {
+        let seat = self.seats[v as usize];
+        if seat % 2 == 1 && seat != NONE { seat / 2 } else { NONE }
+    }
+
+    /// The points of a segment from its first end on; [`NONE`] where the chain has a gap.
+    pub(super) fn points(&self, s: u32) -> &[u32] {
+        self.chain.of(s)
+    }
+
     /// The pieces of a segment's chain, in its direction.
     pub(super) fn pieces(&self, s: u32) -> impl Iterator<Item = [u32; 2]> + '_ {
-        let pairs = self.points[s as usize].windows(2).map(|pair| [pair[0], pair[1]]);
+        let pairs = self.points(s).windows(2).map(|pair| [pair[0], pair[1]]);
         pairs.filter(|pair| !pair.contains(&NONE))
     }
 
     /// Whether a half-edge is a part of a segment or at least listed.
     pub(super) fn is_bound(&self, h: u32) -> bool {
-        self.role[h as usize] != NONE
+        self.roles.is_bound(h)
     }
 }
 
@@ -92,27 +111,29 @@ impl Chains {
 pub(super) fn judge(
     outline: &Outline,
     complex: &Complex,
-    at_input: &[u32],
+    at_input: Vec<u32>,
     g4: &mut Judgement,
 ) -> Chains {
-    let mut chains = Chains::nothing(complex, outline.segments.len());
-    chains.vertex = find_points(outline, complex, at_input, g4);
-    let list = List::new(complex, &mut chains, g4);
+    let mut chains = Chains::nothing(complex);
+    chains.vertex = find_points(outline, complex, &at_input, g4);
+    chains.seats = at_input; // (in its place)
+    chains.seats.fill(NONE);
+    let list = List::new(complex, &mut chains.roles, g4);
     for (input, &v) in (0..).zip(&chains.vertex).filter(|(_, v)| **v != NONE) {
-        chains.input[v as usize] = input;
+        chains.seats[v as usize] = 2 * input;
     }
     let tags = Tags::new(1, &outline.pslg.groups, &complex.mesh.groups);
     let mut walk = Walk { outline, complex, chains, list, tags, g4 };
-    let meshed: Vec<u32> =
-        (0..outline.segments.len() as u32).filter(|&s| outline.is_meshed(s)).collect();
     // Whole chains first: a broken one may then only take what is left over.
-    let broken: Vec<_> = meshed.iter().filter_map(|&s| walk.follow(s)).collect();
+    let segments = 0..outline.segments.len() as u32;
+    let broken: Vec<_> = segments.clone().filter_map(|s| walk.follow(s)).collect();
     for gap in broken {
         walk.mend(gap);
     }
-    for &s in &meshed {
+    for s in segments {
         walk.claim(s);
     }
+    walk.chains.roles.settle();
     walk.report_surplus();
     walk.chains
 }
@@ -153,7 +174,7 @@ struct List {
 }
 
 impl List {
-    fn new(complex: &Complex, chains: &mut Chains, g4: &mut Judgement) -> Self {
+    fn new(complex: &Complex, roles: &mut Roles, g4: &mut Judgement) -> Self {
         let mesh = complex.mesh;
         let there =
             |v: u32| mesh.points.get(v as usize).is_some_and(|p| p.iter().all(|x| x.is_finite()));
@@ -165,7 +186,7 @@ impl List {
                 continue;
             }
             for h in complex.find(v, w).into_iter().filter(|&h| h != NONE) {
-                chains.role[h as usize] = LISTED;
+                roles.list(h);
             }
         }
         let sound = mesh.edges.iter().enumerate().filter(|(e, _)| !taken[*e]);
@@ -205,12 +226,17 @@ struct Step {
 }
 
 impl Walk<'_, '_> {
-    /// Follows a segment from end to end; what remains where the chain breaks off.
+    /// Follows a segment from end to end; what remains where the chain breaks off. What is not
+    /// meshed has no chain.
     fn follow(&mut self, s: u32) -> Option<Break> {
+        self.chains.chain.begin();
+        if !self.outline.is_meshed(s) {
+            return None;
+        }
         let [from, to] = self.ends(s);
         let front = self.run(s, from, to, 0);
         if front.last() == Some(&to) {
-            self.chains.points[s as usize] = front;
+            self.chains.chain.extend(&front);
             return None;
         }
         let back = self.run(s, to, from, 1);
@@ -307,7 +333,7 @@ impl Walk<'_, '_> {
 
     /// Whether a point of the mesh is a point of the outline.
     fn is_input(&self, v: u32) -> bool {
-        self.chains.input[v as usize] != NONE
+        self.chains.input(v) != NONE
     }
 
     /// Whether a point lies within 0.51 ulp of a segment's line.
@@ -361,7 +387,7 @@ impl Walk<'_, '_> {
                 front.extend(back.into_iter().rev());
             }
         }
-        self.chains.points[s as usize] = front;
+        self.chains.chain.replace(s, front);
     }
 
     /// The listed edge at `v` that is nearly right: it is said to be a part of the segment, or it
@@ -411,25 +437,21 @@ impl Walk<'_, '_> {
     /// Makes the pieces of a chain parts of their segment.
     fn claim(&mut self, s: u32) {
         let between_triangles = self.outline.sides(s).iter().all(|face| face.meshed);
-        for i in 1..self.chains.points[s as usize].len() {
-            let (v, w) = (self.chains.points[s as usize][i - 1], self.chains.points[s as usize][i]);
-            if v == NONE || w == NONE {
-                continue;
-            }
+        let chain = self.chains.chain.of(s);
+        for piece in chain.windows(2).filter(|piece| !piece.contains(&NONE)) {
+            let (v, w) = (piece[0], piece[1]);
             let halves = self.complex.find(v, w);
             if between_triangles && halves == [NONE; 2] {
                 let fault = Fault::at_edge(self.complex.mesh, FaultKind::NotAnEdge, [v, w]);
                 self.g4.add(fault.of_segment(self.outline.segment_name(s)));
             }
-            for (way, h) in (0..2).zip(halves) {
-                if h != NONE {
-                    self.chains.role[h as usize] = 2 * s + way;
-                }
+            for (way, h) in (0..2).zip(halves).filter(|(_, h)| *h != NONE) {
+                self.chains.roles.claim(h, 2 * s + way);
             }
         }
-        for &v in self.chains.points[s as usize].iter().filter(|&&v| v != NONE) {
-            if !self.is_input(v) {
-                self.chains.inside[v as usize] = s;
+        for &v in self.chains.chain.of(s).iter().filter(|&&v| v != NONE) {
+            if self.chains.input(v) == NONE {
+                self.chains.seats[v as usize] = 2 * s + 1;
             }
         }
     }

@@ -22,7 +22,7 @@ pub(super) fn judge(outline: &Outline, complex: &Complex, chains: &Chains, g1: &
 
 /// An edge with one triangle must be a boundary.
 pub(super) fn judge_gaps(complex: &Complex, chains: &Chains, g1: &mut Judgement) {
-    for h in (0..complex.twin.len() as u32).filter(|&h| complex.twin[h as usize] == NONE) {
+    for &h in complex.one_sided() {
         // Of two triangles on one side of an edge only one has the twin; that is reported.
         let [_, other] = complex.find(complex.origin(h), complex.target(h));
         if !chains.is_bound(h) && other == NONE {

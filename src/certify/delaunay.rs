@@ -24,30 +24,23 @@ pub(super) fn judge_edges(
     floor: &Floor,
     g2: &mut Judgement,
 ) {
-    for h in 0..complex.twin.len() as u32 {
-        let twin = complex.twin[h as usize];
-        if twin == NONE || h > twin || chains.is_subsegment(h) {
-            continue;
-        }
+    for &[h, twin] in complex.not_delaunay.iter().filter(|[h, _]| !chains.is_subsegment(*h)) {
         let [a, b] = complex.edge(h);
         let (c, d) = (complex.apex(h), complex.apex(twin));
-        let [p, q, r, s] = [a, b, c, d].map(|v| complex.at(v));
-        if exact::in_circle(p, q, r, s) == Ordering::Greater {
-            let fault = Fault::at_edge(complex.mesh, FaultKind::NotDelaunay, [a, b]);
-            let is_limited = (floor.covers(&[a, b, c]) || floor.covers(&[b, a, d]))
-                && outline.is_some_and(|outline| three_on_a_segment(outline, chains, [a, b, c, d]));
-            g2.add_unless(is_limited, fault.of_triangle(complex.number(h)).of_point(d));
-        }
+        let fault = Fault::at_edge(complex.mesh, FaultKind::NotDelaunay, [a, b]);
+        let is_limited = (floor.covers(&[a, b, c]) || floor.covers(&[b, a, d]))
+            && outline.is_some_and(|outline| three_on_a_segment(outline, chains, [a, b, c, d]));
+        g2.add_unless(is_limited, fault.of_triangle(complex.number(h)).of_point(d));
     }
 }
 
 /// Whether three of the points lie on one segment of the outline.
 fn three_on_a_segment(outline: &Outline, chains: &Chains, points: [u32; 4]) -> bool {
-    points.iter().map(|&v| chains.inside[v as usize]).filter(|&s| s != NONE).any(|s| {
+    points.iter().map(|&v| chains.inside(v)).filter(|&s| s != NONE).any(|s| {
         let ends = outline.segments[s as usize].ends;
         let is_on = |&&v: &&u32| {
-            let input = chains.input[v as usize];
-            chains.inside[v as usize] == s || (input != NONE && ends.contains(&input))
+            let input = chains.input(v);
+            chains.inside(v) == s || (input != NONE && ends.contains(&input))
         };
         points.iter().filter(is_on).count() >= 3
     })
@@ -61,7 +54,7 @@ pub(super) fn judge_discs(
     floor: &Floor,
     g3: &mut Judgement,
 ) {
-    for h in (0..complex.twin.len() as u32).filter(|&h| chains.is_subsegment(h)) {
+    for h in chains.bound().filter(|&h| chains.is_subsegment(h)) {
         let [a, b] = complex.edge(h);
         let apex = complex.apex(h);
         if exact::diametral(complex.at(a), complex.at(b), complex.at(apex)) != Ordering::Less {
@@ -91,9 +84,9 @@ pub(super) fn judge_discs_of_all(
     let (vertices, boxes): (Vec<u32>, Vec<Rectangle>) =
         used.map(|v| (v, Rectangle::around(complex.at(v), complex.at(v)))).unzip();
     let tree = Boxes::new(&boxes);
-    for h in 0..complex.twin.len() as u32 {
-        let twin = complex.twin[h as usize];
-        if !chains.is_subsegment(h) || (twin != NONE && h > twin) {
+    for h in chains.bound().filter(|&h| chains.is_subsegment(h)) {
+        let twin = complex.twin(h);
+        if twin != NONE && h > twin {
             continue;
         }
         let [a, b] = complex.edge(h);

@@ -23,6 +23,7 @@ mod complex;
 mod conformity;
 mod cover;
 mod delaunay;
+mod edges;
 mod exact;
 mod fault;
 mod frame;
@@ -33,6 +34,8 @@ mod nesting;
 mod outline;
 mod precision;
 mod provenance;
+mod roles;
+mod sequences;
 mod shortest;
 mod tags;
 mod verdict;
@@ -90,13 +93,14 @@ use crate::parameters::Region;
 /// ```
 #[must_use]
 pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
-    let nearby = Nearby::new(pslg, mesh);
-    let mut certificate = judge(&nearby, promise);
+    let (nearby, at_input) = Nearby::new(pslg, mesh);
+    let mut certificate = judge(&nearby, at_input, promise);
+    certificate.not_judged = missing_tags(mesh);
     nearby.restore(pslg, &mut certificate);
     certificate
 }
 
-fn judge(nearby: &Nearby, promise: &Promise) -> Certificate {
+fn judge(nearby: &Nearby, at_input: Vec<u32>, promise: &Promise) -> Certificate {
     let Nearby { pslg, mesh, .. } = nearby;
     let mut frame = Frame::new(&pslg.points);
     if promise.region != Region::Global {
@@ -107,9 +111,9 @@ fn judge(nearby: &Nearby, promise: &Promise) -> Certificate {
         Guarantee::ALL.map(Judgement::new);
 
     let complex = Complex::new(mesh, frame, &mut g1);
-    let chains = conformity::judge(&outline, &complex, &nearby.at_input, &mut g4);
+    let chains = conformity::judge(&outline, &complex, at_input, &mut g4);
     cover::judge(&outline, &complex, &chains, &mut g1);
-    tags::judge_regions(&outline, &complex, &chains, &mut g4);
+    tags::judge_regions(nearby, &outline, &complex, &chains, &mut g4);
     memberships::judge(&outline, &complex, &chains, &mut g4);
 
     let floor = Floor::new(&outline, &complex, &chains);
@@ -138,7 +142,6 @@ fn judge(nearby: &Nearby, promise: &Promise) -> Certificate {
     certificate.limited_triangles = complex.triangles.iter().filter(|t| floor.covers(t)).count();
     certificate.apexes = floor.apexes;
     certificate.narrows = floor.narrows;
-    certificate.not_judged = missing_tags(mesh);
     certificate
 }
 
@@ -147,7 +150,7 @@ fn judge(nearby: &Nearby, promise: &Promise) -> Certificate {
 #[must_use]
 pub fn certify_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
     let nothing = Pslg::default();
-    let nearby = Nearby::new(&nothing, mesh);
+    let (nearby, _) = Nearby::new(&nothing, mesh);
     let mut certificate = judge_alone(&nearby.mesh, promise);
     nearby.restore(&nothing, &mut certificate);
     certificate
@@ -241,7 +244,10 @@ fn missing_tags(mesh: &Mesh) -> Vec<&'static str> {
 
 /// Sorts `items` by their first half, a number below `count`, keeping their order otherwise: those
 /// of number v are `items[start[v]..start[v + 1]]`.
-fn grouped(count: usize, items: impl Iterator<Item = (u32, u32)> + Clone) -> (Vec<u32>, Vec<u32>) {
+fn grouped<T: Copy + Default>(
+    count: usize,
+    items: impl Iterator<Item = (u32, T)> + Clone,
+) -> (Vec<u32>, Vec<T>) {
     let mut start = vec![0_u32; count + 1];
     for (v, _) in items.clone() {
         start[v as usize + 1] += 1;
@@ -250,7 +256,7 @@ fn grouped(count: usize, items: impl Iterator<Item = (u32, u32)> + Clone) -> (Ve
         start[v] += start[v - 1];
     }
     let mut next = start.clone();
-    let mut sorted = vec![0; start[count] as usize];
+    let mut sorted = vec![T::default(); start[count] as usize];
     for (v, item) in items {
         sorted[next[v as usize] as usize] = item;
         next[v as usize] += 1;

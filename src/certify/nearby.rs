@@ -5,6 +5,7 @@
 //! stand in the order of a Hilbert curve and triangles in that of their first points, and gives
 //! what it found the numbers of the mesh and of the outline again.
 
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::mem::discriminant;
 
@@ -12,43 +13,64 @@ use super::complex::NONE;
 use super::fault::{Fault, FaultKind, Numbered};
 use super::verdict::{Certificate, NarrowTo};
 use crate::corners::each;
-use crate::formats::{Membership, Mesh, Pslg, Source};
+use crate::formats::{Membership, Mesh, Pslg, Source, Tag};
 use crate::hilbert::Curve;
 
 /// An outline and a mesh with other numbers of points and triangles.
-pub(super) struct Nearby {
+pub(super) struct Nearby<'a> {
     /// The outline. Its segments keep their numbers.
     pub(super) pslg: Pslg,
-    /// The mesh. Its edges keep theirs.
+    /// The mesh, without its triangles' tags. Its edges keep their numbers.
     pub(super) mesh: Mesh,
-    /// By point of the mesh: the point of the outline at the very same place, the first of several;
-    /// or [`NONE`].
-    pub(super) at_input: Vec<u32>,
-    /// The old numbers of the outline's points and of the mesh's points and triangles.
+    /// The mesh as it is given.
+    given: &'a Mesh,
+    /// The old numbers of the outline's points and of the mesh's points.
     inputs: Vec<u32>,
     points: Vec<u32>,
-    triangles: Vec<u32>,
+    /// The old numbers of the triangles, made when first asked for.
+    triangles: OnceCell<Vec<u32>>,
 }
 
-impl Nearby {
-    /// Copies what is judged of an outline and a mesh.
-    pub(super) fn new(pslg: &Pslg, mesh: &Mesh) -> Self {
+impl<'a> Nearby<'a> {
+    /// Copies what is judged of an outline and a mesh. And for each point of the copied mesh the
+    /// point of the copied outline at the very same place, the first of several; or [`NONE`].
+    pub(super) fn new(pslg: &Pslg, mesh: &'a Mesh) -> (Self, Vec<u32>) {
         let curve = curve_through(&pslg.points, &mesh.points);
         let (inputs, points) = (along(curve, &pslg.points), along(curve, &mesh.points));
         let at_input = places_in_common((&points, &mesh.points), (&inputs, &pslg.points));
         let [inputs, points] = [inputs, points]
             .map(|keyed| keyed.into_iter().map(|placed| placed as u32).collect::<Vec<_>>());
         let new = inverse(&points);
-        let named: Vec<_> = mesh.triangles.iter().map(|&t| each(t, |v| renamed(v, &new))).collect();
-        let triangles = by_first_point(&named, points.len());
-        Self {
-            at_input,
+        let triangles: Vec<_> = named(mesh, &new).collect();
+        let triangles = by_first_point(&triangles, points.len(), triangles.iter().copied());
+        let nearby = Self {
             pslg: outline(pslg, &inputs),
-            mesh: renumbered(mesh, &points, &new, &triangles, &named),
+            mesh: renumbered(mesh, &points, &new, triangles),
+            given: mesh,
             inputs,
             points,
-            triangles,
-        }
+            triangles: OnceCell::new(),
+        };
+        (nearby, at_input)
+    }
+
+    /// The old number of a triangle.
+    fn triangle(&self, t: u32) -> u32 {
+        let numbers = || {
+            let named: Vec<_> = named(self.given, &inverse(&self.points)).collect();
+            by_first_point(&named, self.points.len(), 0..)
+        };
+        self.triangles.get_or_init(numbers)[t as usize]
+    }
+
+    /// The tag of a triangle; 0 where it has none.
+    pub(super) fn triangle_tag(&self, t: u32) -> Tag {
+        self.given.triangle_tags.get(self.triangle(t) as usize).copied().unwrap_or(0)
+    }
+
+    /// The tags of all triangles, in the order in which they are given.
+    pub(super) fn triangle_tags(&self) -> &[Tag] {
+        &self.given.triangle_tags
     }
 
     /// Gives everything that a certificate names its number in the mesh or the outline.
@@ -73,7 +95,7 @@ impl Nearby {
             }
         }
         for angle in &mut certificate.excused {
-            angle.triangle = self.triangles[angle.triangle as usize];
+            angle.triangle = self.triangle(angle.triangle);
             angle.edge = angle.edge.map(|v| self.points[v as usize]);
         }
         certificate.excused.sort_by_key(|angle| (angle.triangle, angle.edge));
@@ -90,7 +112,7 @@ impl Nearby {
 
     fn restore_fault(&self, fault: &mut Fault) {
         let point = |v: &mut u32| *v = self.points.get(*v as usize).copied().unwrap_or(*v);
-        fault.triangle.iter_mut().for_each(|t| *t = self.triangles[*t as usize]);
+        fault.triangle.iter_mut().for_each(|t| *t = self.triangle(*t));
         fault.edge.iter_mut().flatten().for_each(point);
         fault.point.iter_mut().for_each(point);
         if let FaultKind::Broken { until } = &mut fault.kind {
@@ -163,14 +185,23 @@ fn inverse(old: &[u32]) -> Vec<u32> {
     new
 }
 
-/// The triangles' numbers, in the order of their smallest point.
-fn by_first_point(triangles: &[[u32; 3]], points: usize) -> Vec<u32> {
+/// The corners of all triangles by the points' new numbers.
+fn named<'m>(mesh: &'m Mesh, new: &'m [u32]) -> impl Iterator<Item = [u32; 3]> + 'm {
+    mesh.triangles.iter().map(|&corners| each(corners, |v| renamed(v, new)))
+}
+
+/// Items, one for each triangle, in the order of the triangles' smallest points.
+fn by_first_point<T: Copy + Default>(
+    triangles: &[[u32; 3]],
+    points: usize,
+    items: impl Iterator<Item = T> + Clone,
+) -> Vec<T> {
     // (What names a point that is not there comes first.)
     let first = |&[a, b, c]: &[u32; 3]| {
         let first = a.min(b).min(c);
         if (first as usize) < points { first } else { 0 }
     };
-    super::grouped(points.max(1), triangles.iter().map(first).zip(0..)).1
+    super::grouped(points.max(1), triangles.iter().map(first).zip(items)).1
 }
 
 fn outline(pslg: &Pslg, inputs: &[u32]) -> Pslg {
@@ -201,27 +232,18 @@ fn outline(pslg: &Pslg, inputs: &[u32]) -> Pslg {
     }
 }
 
-fn renumbered(
-    mesh: &Mesh,
-    points: &[u32],
-    new: &[u32],
-    triangles: &[u32],
-    named: &[[u32; 3]],
-) -> Mesh {
+fn renumbered(mesh: &Mesh, points: &[u32], new: &[u32], triangles: Vec<[u32; 3]>) -> Mesh {
     let item = |membership: &Membership| match membership.dim {
         0 => renamed(membership.item, new),
         _ => membership.item,
     };
-    let tag = |&t: &u32| mesh.triangle_tag(t as usize);
-    let has_tags = !mesh.triangle_tags.is_empty();
     Mesh {
         points: points.iter().map(|&v| mesh.points[v as usize]).collect(),
         provenance: match mesh.provenance.len() == points.len() {
             true => points.iter().map(|&v| mesh.provenance[v as usize]).collect(),
             false => Vec::new(),
         },
-        triangles: triangles.iter().map(|&t| named[t as usize]).collect(),
-        triangle_tags: if has_tags { triangles.iter().map(tag).collect() } else { Vec::new() },
+        triangles,
         edges: mesh.edges.iter().map(|ends| ends.map(|v| renamed(v, new))).collect(),
         edge_tags: mesh.edge_tags.clone(),
         edge_segments: mesh.edge_segments.clone(),

@@ -570,6 +570,11 @@ fn ordered([v, w]: [u32; 2]) -> [u32; 2] {
 
 /// The distance of two points, rounded.
 pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    distance_squared(a, b).sqrt()
+}
+
+/// Its square.
+pub(super) fn distance_squared(a: [f64; 2], b: [f64; 2]) -> f64 {
     let (x, y) = (a[0] - b[0], a[1] - b[1]);
-    (x * x + y * y).sqrt()
+    x * x + y * y
 }

@@ -64,9 +64,12 @@ impl Floor {
     /// another such point.
     fn find_narrows(&mut self, outline: &Outline, complex: &Complex, chains: &Chains) {
         let closest = 2.0 * FLOOR * complex.frame.ulp;
-        for h in 0..complex.twin.len() as u32 {
+        let mut suspects: Vec<u32> = chains.bound().chain(complex.edges_below(closest)).collect();
+        suspects.sort_unstable();
+        suspects.dedup();
+        for h in suspects {
             let (v, w, apex) = (complex.origin(h), complex.target(h), complex.apex(h));
-            let [from, to, across] = [v, w, apex].map(|v| chains.input[v as usize]);
+            let [from, to, across] = [v, w, apex].map(|v| chains.input(v));
             if let Some(s) = chains.segment(h)
                 && across != NONE
             {
@@ -128,7 +131,7 @@ impl Floor {
                 return true;
             }
             for h in (3 * found[i]..3 * found[i] + 3).filter(|&h| !chains.is_subsegment(h)) {
-                let beyond = complex.twin[h as usize];
+                let beyond = complex.twin(h);
                 if beyond == NONE || found.contains(&(beyond / 3)) {
                     continue;
                 }
@@ -230,7 +233,7 @@ fn reach(theta: f64, ulp: f64) -> f64 {
 
 /// The chain of a half-edge of the outline, from the point that it leaves.
 fn outward(chains: &Chains, half: u32) -> impl Iterator<Item = u32> + '_ {
-    let points = &chains.points[half as usize / 2];
+    let points = chains.points(half / 2);
     let count = points.len();
     let forward = half.is_multiple_of(2);
     (0..count).map(move |i| points[if forward { i } else { count - 1 - i }])

@@ -19,8 +19,8 @@ pub(super) fn judge(complex: &Complex, chains: &Chains, g9: &mut Judgement) -> O
     }
     let mut kinds = Kinds::default();
     for (v, kind) in (0..).zip(provenance) {
-        let is_input = chains.input[v as usize] != NONE;
-        let is_inside = chains.inside[v as usize] != NONE;
+        let is_input = chains.input(v) != NONE;
+        let is_inside = chains.inside(v) != NONE;
         let (count, agrees) = match kind {
             Provenance::Input => (&mut kinds.input, is_input),
             Provenance::Shell => (&mut kinds.shell, is_inside),

@@ -11,7 +11,7 @@ use super::closest::Runs;
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
 use super::fault::{Fault, FaultKind};
-use super::outline::{Outline, distance};
+use super::outline::{Outline, distance, distance_squared};
 use super::precision::Floor;
 use super::provenance::UNKNOWN;
 use super::verdict::{Corollary2, Judgement, Promise};
@@ -44,7 +44,7 @@ pub(super) fn judge(
     };
     let mu = 1.0 + std::f64::consts::SQRT_2 / (1.0 - 2.0 * libm::sin(promise.min_angle.radians()));
     let bound = lfs_min * 2.0 * libm::sin(0.5 * theta_star) / mu;
-    let shortest = shortest_squared(complex).sqrt();
+    let shortest = complex.shortest;
     let has_sizes = !outline.pslg.point_sizes.is_empty()
         || outline.pslg.regions.iter().any(|region| region.max_area.is_some());
     let is_plain = promise.is_plain.map(|is_plain| is_plain && !has_sizes);
@@ -63,26 +63,17 @@ pub(super) fn judge(
 
 /// Tells of every edge below the bound.
 fn report_short_edges(complex: &Complex, floor: &Floor, bound: f64, g8: &mut Judgement) {
-    for h in 0..3 * complex.triangles.len() as u32 {
+    for h in complex.edges_below(bound * (1.0 - SLACK)) {
         let [v, w] = complex.edge(h);
         let length = distance(complex.at(v), complex.at(w));
-        let twin = complex.twin[h as usize];
-        if length >= bound * (1.0 - SLACK) || (twin != NONE && twin < h) {
+        let twin = complex.twin(h);
+        if twin != NONE && twin < h {
             continue;
         }
         let [length, bound] = [length, bound].map(|length| complex.frame.length_outside(length));
         let fault = Fault::at_edge(complex.mesh, FaultKind::TooShort { length, bound }, [v, w]);
         g8.add_unless(floor.covers(&complex.triangles[h as usize / 3]), fault);
     }
-}
-
-/// The squared length of the shortest edge of a mesh.
-fn shortest_squared(complex: &Complex) -> f64 {
-    let lengths = (0..complex.triangles.len()).map(|t| {
-        let [a, b, c] = complex.corners(t);
-        squared(a, b).min(squared(b, c)).min(squared(c, a))
-    });
-    lengths.fold(f64::INFINITY, f64::min)
 }
 
 /// The augmented outline: its points and shell points, and the pieces of segments between them.
@@ -102,10 +93,10 @@ impl<'o> Augmented<'o> {
         let count = outline.points.len() as u32;
         let (mut shells, mut shell_points) = (Vec::new(), Vec::new());
         let mut placed = Vec::new();
-        for (segment, chain) in outline.segments.iter().zip(&chains.points) {
+        for (s, segment) in (0..).zip(&outline.segments) {
             let [mut from, to] = segment.ends;
             let mut first = chains.vertex[from as usize];
-            for &v in chain.iter().filter(|&&v| v != NONE && is_shell(v)) {
+            for &v in chains.points(s).iter().filter(|&&v| v != NONE && is_shell(v)) {
                 let shell = count + shells.len() as u32;
                 shell_points.push(u64::from(v) << 32 | u64::from(shell));
                 shells.push(complex.at(v));
@@ -131,19 +122,20 @@ impl<'o> Augmented<'o> {
 
     /// Half the least distance of a point and a feature that does not contain it; `None` where the
     /// search takes too long or there is no such pair.
-    fn lfs_min(self) -> Option<f64> {
+    fn lfs_min(mut self) -> Option<f64> {
+        let features = std::mem::take(&mut self.features);
         let at = |feature: u32| self.at(feature);
         // Most often the closest points follow each other along the curve, or nearly so.
-        let neighbours = self.features.windows(2).map(|pair| squared(at(pair[0]), at(pair[1])));
+        let neighbours = features.windows(2).map(|pair| distance_squared(at(pair[0]), at(pair[1])));
         let mut least = neighbours.fold(f64::INFINITY, f64::min);
-        let mut budget = MOST_VISITS_PER_POINT * self.features.len();
+        let mut budget = MOST_VISITS_PER_POINT * features.len();
         let ends = |piece: u32| self.pieces[piece as usize];
-        let points = Runs::new(self.features.clone(), |v| Rectangle::around(at(v), at(v)));
+        let points = Runs::new(features, |v| Rectangle::around(at(v), at(v)));
         let pieces = Runs::new((0..self.pieces.len() as u32).collect(), |piece| {
             let [a, b] = ends(piece).map(at);
             Rectangle::around(a, b)
         });
-        let found = points.least_within(least, &mut budget, |v, w| squared(at(v), at(w)));
+        let found = points.least_within(least, &mut budget, |v, w| distance_squared(at(v), at(w)));
         least = found.unwrap_or(least);
         let to_piece = |v: u32, piece: u32| match ends(piece) {
             ends if ends.contains(&v) => f64::INFINITY,
@@ -174,21 +166,16 @@ fn merged(outline: &Outline, chains: &Chains, shells: &[u64]) -> Vec<u32> {
     features
 }
 
-fn squared(p: [f64; 2], q: [f64; 2]) -> f64 {
-    let (x, y) = (p[0] - q[0], p[1] - q[1]);
-    x * x + y * y
-}
-
 /// The squared distance of `p` from the segment `ab`.
 fn squared_from_segment(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     let (along, to) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-    let part = (along[0] * to[0] + along[1] * to[1]) / squared(a, b);
+    let part = (along[0] * to[0] + along[1] * to[1]) / distance_squared(a, b);
     if part <= 0.0 {
-        squared(p, a)
+        distance_squared(p, a)
     } else if part >= 1.0 {
-        squared(p, b)
+        distance_squared(p, b)
     } else {
         let height = super::exact::cross(a, b, p).to_f64();
-        height * height / squared(a, b)
+        height * height / distance_squared(a, b)
     }
 }

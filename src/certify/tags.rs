@@ -8,9 +8,10 @@ use std::collections::BTreeMap;
 use super::complex::{Complex, NONE};
 use super::conformity::Chains;
 use super::fault::{Fault, FaultKind};
+use super::nearby::Nearby;
 use super::outline::Outline;
 use super::verdict::Judgement;
-use crate::formats::{Group, Mesh, Tag, groups};
+use crate::formats::{Group, Tag, groups};
 
 /// The tags of one dimension, in the outline and in the mesh.
 pub(super) struct Tags<'a> {
@@ -52,24 +53,25 @@ impl<'a> Tags<'a> {
 /// Judges the region tags: each triangle belongs to the face of the outline that it can be
 /// reached from without crossing a segment.
 pub(super) fn judge_regions(
+    nearby: &Nearby,
     outline: &Outline,
     complex: &Complex,
     chains: &Chains,
     g4: &mut Judgement,
 ) {
     let mesh = complex.mesh;
-    if mesh.triangle_tags.is_empty() {
+    if nearby.triangle_tags().is_empty() {
         return; // said elsewhere
     }
     let mut tags = Tags::new(2, &outline.pslg.groups, &mesh.groups);
-    if are_all_alike(outline, mesh, &mut tags) {
+    if are_all_alike(outline, nearby, &mut tags) {
         return;
     }
     let faces = faces_of_triangles(outline, complex, chains);
     for (t, &face) in faces.iter().enumerate().filter(|(_, face)| **face != NONE) {
         let number = complex.number_of(t);
         let expected = outline.faces[face as usize].tag;
-        let found = mesh.triangle_tags.get(number as usize).copied().unwrap_or(0);
+        let found = nearby.triangle_tag(number);
         if !tags.agree(expected, found) {
             let (found, expected) = (tags.found(found), tags.expected(expected));
             g4.add(Fault::at_triangle(mesh, FaultKind::WrongRegionTag { found, expected }, number));
@@ -78,19 +80,19 @@ pub(super) fn judge_regions(
 }
 
 /// Whether one tag is expected of all triangles, and found.
-fn are_all_alike(outline: &Outline, mesh: &Mesh, tags: &mut Tags) -> bool {
+fn are_all_alike(outline: &Outline, nearby: &Nearby, tags: &mut Tags) -> bool {
     let mut expected = outline.faces.iter().filter(|face| face.meshed).map(|face| face.tag);
     let Some(first) = expected.next() else { return false };
     expected.all(|tag| tag == first)
-        && mesh.triangle_tags.len() == mesh.triangles.len()
-        && mesh.triangle_tags.chunk_by(|a, b| a == b).all(|run| tags.agree(first, run[0]))
+        && nearby.triangle_tags().len() == nearby.mesh.triangles.len()
+        && nearby.triangle_tags().chunk_by(|a, b| a == b).all(|run| tags.agree(first, run[0]))
 }
 
 /// The face of the outline that each triangle lies in; [`NONE`] where no segment says so.
 fn faces_of_triangles(outline: &Outline, complex: &Complex, chains: &Chains) -> Vec<u32> {
     let mut faces = vec![NONE; complex.triangles.len()];
     let mut stack = Vec::new();
-    for h in 0..complex.twin.len() as u32 {
+    for h in chains.bound() {
         let Some(half) = chains.outline_half(h) else { continue };
         let face = outline.face(half);
         if faces[h as usize / 3] == NONE && outline.faces[face as usize].meshed {
@@ -99,8 +101,11 @@ fn faces_of_triangles(outline: &Outline, complex: &Complex, chains: &Chains) -> 
         }
         while let Some(t) = stack.pop() {
             for side in 3 * t..3 * t + 3 {
-                let twin = complex.twin[side as usize];
-                if twin != NONE && !chains.is_bound(side) && faces[twin as usize / 3] == NONE {
+                if chains.is_bound(side) {
+                    continue;
+                }
+                let twin = complex.twin(side);
+                if twin != NONE && faces[twin as usize / 3] == NONE {
                     faces[twin as usize / 3] = face;
                     stack.push(twin / 3);
                 }
