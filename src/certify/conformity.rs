@@ -78,14 +78,19 @@ impl Chains {
 
     /// The point of the outline that a point is, or [`NONE`].
     pub(super) fn input(&self, v: u32) -> u32 {
-        let seat = self.seats[v as usize];
-        if seat % 2 == 0 { seat / 2 } else { NONE }
+        match self.seats[v as usize] {
+            seat if seat.is_multiple_of(2) => seat / 2,
+            _ => NONE,
+        }
     }
 
     /// The segment that a point lies strictly inside of, or [`NONE`].
     pub(super) fn inside(&self, v: u32) -> u32 {
-        let seat = self.seats[v as usize];
-        if seat % 2 == 1 && seat != NONE { seat / 2 } else { NONE }
+        match self.seats[v as usize] {
+            NONE => NONE,
+            seat if seat.is_multiple_of(2) => NONE,
+            seat => seat / 2,
+        }
     }
 
     /// The points of a segment from its first end on; [`NONE`] where the chain has a gap.

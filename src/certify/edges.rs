@@ -22,7 +22,7 @@ pub(super) struct Edges {
     /// points; `start` delimits them.
     across: Vec<u32>,
     start: Vec<u32>,
-    /// All half-edges at points that have very many: larger point and half-edge, in order.
+    /// All half-edges at points that have very many, in order.
     hubs: BTreeMap<u32, Vec<Spoke>>,
     /// The half-edges that have no opposite one, in order.
     pub(super) one_sided: Vec<u32>,
@@ -32,11 +32,23 @@ pub(super) struct Edges {
     pub(super) count: usize,
 }
 
-/// A half-edge at the smaller of its points, with the larger one.
+/// A half-edge at the smaller of its points: its larger point in the high half, its own number in
+/// the low one.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Spoke {
-    larger: u32,
-    half: u32,
+struct Spoke(u64);
+
+impl Spoke {
+    fn new(larger: u32, half: u32) -> Self {
+        Self(u64::from(larger) << 32 | u64::from(half))
+    }
+
+    fn larger(self) -> u32 {
+        (self.0 >> 32) as u32
+    }
+
+    fn half(self) -> u32 {
+        self.0 as u32
+    }
 }
 
 impl Edges {
@@ -57,9 +69,9 @@ impl Edges {
         let mut spokes = Vec::new();
         for v in 0..points as u32 {
             spokes.clear();
-            spokes.extend(edges.spokes(triangles, v));
+            edges.spokes(triangles, v).for_each(|spoke| spokes.push(spoke));
             spokes.sort_unstable();
-            for edge in spokes.chunk_by(|x, y| x.larger == y.larger) {
+            for edge in spokes.chunk_by(|x, y| x.larger() == y.larger()) {
                 edges.glue(triangles, v, edge, &mut see);
             }
             if spokes.len() > HUB {
@@ -79,15 +91,15 @@ impl Edges {
         see: &mut impl FnMut([u32; 2]),
     ) {
         let way = |half: u32| usize::from(origin(triangles, half) == smaller);
-        if let &[Spoke { half: g, .. }, Spoke { half: h, .. }] = edge
-            && way(g) != way(h)
+        if let [g, h] = edge
+            && way(g.half()) != way(h.half())
         {
             self.count += 1;
-            see([g, h]);
+            see([g.half(), h.half()]);
             return;
         }
         let mut ways = [NONE; 2];
-        for &Spoke { half, .. } in edge {
+        for half in edge.iter().map(|spoke| spoke.half()) {
             if ways[way(half)] == NONE {
                 ways[way(half)] = half;
             } else {
@@ -100,7 +112,7 @@ impl Edges {
             see([ways[0].min(ways[1]), ways[0].max(ways[1])]);
         }
         let is_alone = |&half: &u32| ways.contains(&NONE) || !ways.contains(&half);
-        self.one_sided.extend(edge.iter().map(|spoke| spoke.half).filter(is_alone));
+        self.one_sided.extend(edge.iter().map(|spoke| spoke.half()).filter(is_alone));
     }
 
     /// The half-edges of which `v` is the smaller point.
@@ -111,13 +123,12 @@ impl Edges {
             let k = smallest(corners);
             let (next, last) = ((k + 1) % 3, (k + 2) % 3);
             [
-                Spoke { larger: corners[next], half: 3 * t + k as u32 },
-                Spoke { larger: corners[last], half: 3 * t + last as u32 },
+                Spoke::new(corners[next], 3 * t + k as u32),
+                Spoke::new(corners[last], 3 * t + last as u32),
             ]
         });
         let of_across = self.across_at(v).iter().map(move |&half| {
-            let larger = origin(triangles, half).max(target(triangles, half));
-            Spoke { larger, half }
+            Spoke::new(origin(triangles, half).max(target(triangles, half)), half)
         });
         of_beginning.chain(of_across)
     }
@@ -139,12 +150,12 @@ impl Edges {
             return found;
         }
         if let Some(spokes) = self.hub(smaller) {
-            let from = spokes.partition_point(|spoke| spoke.larger < larger);
-            let along = spokes[from..].iter().take_while(|spoke| spoke.larger == larger);
-            along.for_each(|spoke| take(spoke.half));
+            let from = spokes.partition_point(|spoke| spoke.larger() < larger);
+            let along = spokes[from..].iter().take_while(|spoke| spoke.larger() == larger);
+            along.for_each(|spoke| take(spoke.half()));
         } else {
-            let along = self.spokes(triangles, smaller).filter(|spoke| spoke.larger == larger);
-            along.for_each(|spoke| take(spoke.half));
+            let along = self.spokes(triangles, smaller).filter(|spoke| spoke.larger() == larger);
+            along.for_each(|spoke| take(spoke.half()));
         }
         found
     }
@@ -183,4 +194,43 @@ pub(super) fn origin(triangles: &[[u32; 3]], h: u32) -> u32 {
 /// The point where a half-edge ends.
 pub(super) fn target(triangles: &[[u32; 3]], h: u32) -> u32 {
     triangles[h as usize / 3][(h as usize + 1) % 3]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A wheel of `n` triangles around point 0.
+    fn wheel(n: u32) -> Vec<[u32; 3]> {
+        (0..n).map(|i| [0, 1 + i, 1 + (i + 1) % n]).collect()
+    }
+
+    #[test]
+    fn every_edge_of_a_wheel_is_found_however_many_meet_at_its_hub() {
+        for n in [3, 10, 1000] {
+            let triangles = wheel(n);
+            let mut inside = 0;
+            let edges = Edges::new(&triangles, n as usize + 1, |[g, h]| {
+                inside += 1;
+                assert_eq!(origin(&triangles, g), target(&triangles, h));
+            });
+            assert_eq!((inside, edges.count), (n, 2 * n as usize));
+            assert_eq!(edges.one_sided, (0..n).map(|t| 3 * t + 1).collect::<Vec<_>>());
+            for (t, &[hub, a, b]) in (0..).zip(&triangles) {
+                assert_eq!(edges.find(&triangles, hub, a)[0], 3 * t);
+                assert_eq!(edges.find(&triangles, hub, b)[1], 3 * t + 2);
+                assert_eq!(edges.find(&triangles, b, a), [NONE, 3 * t + 1]);
+            }
+            assert_eq!(edges.find(&triangles, 1, n + 1), [NONE; 2]);
+        }
+    }
+
+    #[test]
+    fn what_runs_along_an_edge_beside_another_triangle_is_an_overlap() {
+        let triangles = [[0, 1, 2], [0, 1, 3], [0, 4, 1]];
+        let edges = Edges::new(&triangles, 5, |halves| assert_eq!(halves, [0, 8]));
+        assert_eq!(edges.overlaps, [3]);
+        assert_eq!(edges.one_sided, [1, 2, 3, 4, 5, 6, 7]);
+        assert_eq!(edges.find(&triangles, 0, 1), [0, 8]);
+    }
 }
