@@ -8,7 +8,7 @@ use crate::corners::each;
 use crate::domain::Domain;
 use crate::formats::{Membership, Mesh, Pslg, Tag};
 use crate::refine::Refinement;
-use crate::triangulation::{Triangle, Triangulation};
+use crate::triangulation::{Edge, Triangle, Triangulation};
 
 /// The mesh of a refinement, in the outline's own coordinates, numbers and tags.
 ///
@@ -23,20 +23,11 @@ pub fn assemble(
     domain: &Domain,
     pslg: &Pslg,
 ) -> Mesh {
+    refinement.mesh.forget_anchors();
     let order = OutputOrder::of(&refinement, domain_points);
-    let edges = subsegments(&refinement);
     let mut mesh = Mesh {
-        point_markers: markers(&refinement, &order, domain_points, domain, pslg),
-        provenance: order.vertices().map(|v| refinement.provenances.kind(v)).collect(),
         triangle_tags: region_tags(&refinement, domain),
-        edges: edges.iter().map(|edge| edge.ends.map(|v| order.place(v))).collect(),
-        edge_tags: edges.iter().map(|edge| domain.segment_tags[edge.segment as usize]).collect(),
-        edge_segments: edges
-            .iter()
-            .map(|edge| domain.input_segments[edge.segment as usize])
-            .collect(),
         groups: pslg.groups.clone(),
-        memberships: memberships(&order, &edges, domain_points, domain, pslg),
         point_data: interpolate(
             &pslg.point_attributes,
             initial,
@@ -47,9 +38,17 @@ pub fn assemble(
         ),
         ..Mesh::default()
     };
+    let edges = subsegments(&refinement);
+    mesh.edge_tags = edges.iter().map(|edge| domain.segment_tags[edge.segment as usize]).collect();
+    mesh.edge_segments =
+        edges.iter().map(|edge| domain.input_segments[edge.segment as usize]).collect();
+    mesh.edges = edges.into_iter().map(|edge| edge.ends.map(|v| order.place(v))).collect();
+    mesh.memberships = memberships(&order, &mesh.edge_segments, domain_points, domain, pslg);
+    mesh.point_markers = markers(&refinement, &order, domain_points, domain, pslg);
+    mesh.provenance = order.vertices().map(|v| refinement.provenances.kind(v)).collect();
     // The large arrays last: by then all that only the refinement needs is given back.
     let Triangulation { points, triangles, .. } = mem::take(&mut refinement.mesh);
-    drop((refinement, edges));
+    drop(refinement);
     mesh.points = order.sorted(points);
     if domain.scale_exponent != 0 {
         let unscaled = |c| libm::scalbn(c, domain.scale_exponent);
@@ -147,20 +146,22 @@ struct Subsegment {
 /// The meshed side of a boundary edge is to its left.
 fn subsegments(refinement: &Refinement) -> Vec<Subsegment> {
     let mesh = &refinement.mesh;
-    let mut found: Vec<_> = mesh
-        .constrained_edges()
-        .filter(|&edge| {
-            let behind = mesh.behind(edge);
-            behind.is_outside() || edge.triangle() < behind.triangle()
-        })
-        .filter_map(|edge| {
-            let ends = mesh.ends(edge);
-            let segment = refinement.segment_of(ends)?;
-            let along = ends.iter().map(|&v| refinement.distance_along(segment, v)).sum();
-            Some(Subsegment { segment, ends, along })
-        })
-        .collect();
-    found.sort_by(|a, b| a.segment.cmp(&b.segment).then(a.along.total_cmp(&b.along)));
+    let is_first = |&edge: &Edge| {
+        let behind = mesh.behind(edge);
+        behind.is_outside() || edge.triangle() < behind.triangle()
+    };
+    let edges = || mesh.constrained_edges().filter(is_first);
+    // (Counted before: an array that grows leaves holes in the memory.)
+    let mut found = Vec::with_capacity(edges().count());
+    found.extend(edges().filter_map(|edge| {
+        let ends = mesh.ends(edge);
+        let segment = refinement.segment_of(ends)?;
+        let along = ends.iter().map(|&v| refinement.distance_along(segment, v)).sum();
+        Some(Subsegment { segment, ends, along })
+    }));
+    found.sort_unstable_by(|a: &Subsegment, b| {
+        a.segment.cmp(&b.segment).then(a.along.total_cmp(&b.along))
+    });
     found
 }
 
@@ -178,7 +179,7 @@ fn region_tags(refinement: &Refinement, domain: &Domain) -> Vec<Tag> {
 /// The groups of the outline's points, and the further groups of its segments: of each piece.
 fn memberships(
     order: &OutputOrder,
-    edges: &[Subsegment],
+    edge_segments: &[u32],
     domain_points: &[u32],
     domain: &Domain,
     pslg: &Pslg,
@@ -191,8 +192,7 @@ fn memberships(
         vertices[domain.input_points[point as usize] as usize] = vertex;
     }
     let mut pieces: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-    for (edge, piece) in (0..).zip(edges) {
-        let input = domain.input_segments[piece.segment as usize];
+    for (edge, &input) in (0..).zip(edge_segments) {
         pieces.entry(input).or_default().push(edge);
     }
     let mut found = Vec::new();

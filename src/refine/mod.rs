@@ -180,6 +180,7 @@ pub fn refine(
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> End {
     let ended = refinement.run(progress);
+    refinement.queue = Queue::default(); // for its memory
     match ended {
         ControlFlow::Continue(()) => End::Finished,
         ControlFlow::Break(end) => end,

@@ -125,6 +125,11 @@ impl Anchors {
 }
 
 impl Triangulation {
+    /// Gives the memory back by which subsegments are found, when none is sought any more.
+    pub fn forget_anchors(&mut self) {
+        self.anchors = Anchors::default();
+    }
+
     /// The subsegment between `a` and `b`, as the edge of a triangle; `None` if it is none (any
     /// more).
     #[must_use]
