@@ -76,47 +76,48 @@ fn segments(domain: &Domain, domain_points: &[u32]) -> impl Iterator<Item = [u32
 /// The triangles that are none, taken out; the others in the order of their first vertices, for
 /// locality.
 fn without_ghosts(mesh: Triangulation, domain_points: Vec<u32>) -> Initial {
-    let vertices = |slot: usize| mesh.triangles[slot].vertices;
-    let smallest = |slot: usize| vertices(slot).into_iter().min().unwrap_or(GHOST);
-    // Counting sort by the smallest vertex; ghosts have the smallest of all.
-    let mut starts = vec![0_u32; mesh.points.len() + 1];
-    for slot in 0..mesh.triangles.len() {
-        starts[smallest(slot) as usize + 1] += 1;
+    let Triangulation { mut points, triangles: with_ghosts, .. } = mesh;
+    let (places, count) = places_without_ghosts(&with_ghosts, points.len());
+    let mut open = Vec::new();
+    // (Moved in their own memory, each would wait for the one whose place it takes.)
+    let mut triangles = vec![Triangle::VACANT; count as usize];
+    for (triangle, &place) in with_ghosts.iter().zip(&places) {
+        let Some(moved) = triangles.get_mut(place as usize) else { continue };
+        moved.vertices = each(triangle.vertices, |v| v - 1);
+        moved.neighbors = each(triangle.neighbors, |edge| {
+            let behind = places[edge.triangle() as usize];
+            if behind < count {
+                return Edge::new(behind, edge.index()).constrained_if(edge.is_constrained());
+            }
+            if !edge.is_constrained() {
+                open.push(place);
+            }
+            Edge::OUTSIDE
+        });
     }
-    let ghosts = starts[GHOST as usize + 1];
+    points.remove(GHOST as usize);
+    Initial { points, domain_points, triangles, open }
+}
+
+/// The new slot of each triangle, by its first vertex, and how many are left: ghosts, which are not,
+/// come behind these. (A counting sort.)
+fn places_without_ghosts(triangles: &[Triangle], vertices: usize) -> (Vec<u32>, u32) {
+    let first = |triangle: &Triangle| match triangle.vertices.into_iter().min() {
+        Some(GHOST) | None => vertices,
+        Some(vertex) => vertex as usize,
+    };
+    let mut starts = vec![0_u32; vertices + 2];
+    triangles.iter().for_each(|triangle| starts[first(triangle) + 1] += 1);
     for v in 1..starts.len() {
         starts[v] += starts[v - 1];
     }
-    let mut places = vec![u32::MAX; mesh.triangles.len()];
-    for (slot, place) in places.iter_mut().enumerate() {
-        let start = &mut starts[smallest(slot) as usize];
-        *place = *start;
+    let count = starts[vertices];
+    let place = |triangle: &Triangle| {
+        let start = &mut starts[first(triangle)];
         *start += 1;
-    }
-    let unused = Triangle { vertices: [0; 3], neighbors: [Edge::OUTSIDE; 3] };
-    let mut triangles = vec![unused; mesh.triangles.len() - ghosts as usize];
-    let mut open = Vec::new();
-    for (slot, triangle) in mesh.triangles.iter().enumerate() {
-        let Some(place) = places[slot].checked_sub(ghosts) else { continue };
-        let neighbors = each(triangle.neighbors, |edge| {
-            match places[edge.triangle() as usize].checked_sub(ghosts) {
-                Some(behind) => {
-                    Edge::new(behind, edge.index()).constrained_if(edge.is_constrained())
-                }
-                None => {
-                    if !edge.is_constrained() {
-                        open.push(place);
-                    }
-                    Edge::OUTSIDE
-                }
-            }
-        });
-        let vertices = each(triangle.vertices, |v| v - 1);
-        triangles[place as usize] = Triangle { vertices, neighbors };
-    }
-    let mut points = mesh.points;
-    points.remove(GHOST as usize);
-    Initial { points, domain_points, triangles, open }
+        *start - 1
+    };
+    (triangles.iter().map(place).collect(), count)
 }
 
 /// The corners of a box that is larger than the points' by its size on every side: no segment's

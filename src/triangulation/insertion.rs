@@ -34,10 +34,14 @@ pub(super) fn delaunay(
     order[2..third + 3].rotate_right(1);
 
     let mut growing = Growing::of_triangle([first, second, order[2]].map(at), points.len());
-    // (All are fetched at once: one by one, each would be waited for.)
-    let places: Vec<[f64; 2]> = order[3..].iter().map(|&i| at(i)).collect();
-    for point in places {
-        growing.insert(point).ok()?;
+    // (Many are fetched at once: one by one, each would be waited for.)
+    let mut places = Vec::new();
+    for many in order[3..].chunks(4096) {
+        places.clear();
+        places.extend(many.iter().map(|&i| at(i)));
+        for &point in &places {
+            growing.insert(point).ok()?;
+        }
     }
     Some((growing.mesh, order))
 }
