@@ -26,14 +26,16 @@ impl Rectangle {
     /// A rectangle within the convex hull of points, so that most of them need not be looked at when
     /// the hull is wanted: of four points each lies no nearer than one of its corners, in both
     /// coordinates (Akl & Toussaint 1978). Inside out where there is none; for finite points.
-    pub fn within_hull(points: impl Iterator<Item = [f64; 2]> + Clone) -> Self {
-        let farthest = |[sx, sy]: [f64; 2]| {
-            let outwards = |[x, y]: [f64; 2]| sx * x + sy * y;
-            let farther = |a, b| if outwards(b) > outwards(a) { b } else { a };
-            points.clone().reduce(farther).unwrap_or([0.0; 2])
-        };
-        let [sw, se] = [[-1.0, -1.0], [1.0, -1.0]].map(farthest);
-        let [nw, ne] = [[-1.0, 1.0], [1.0, 1.0]].map(farthest);
+    pub fn within_hull(points: impl Iterator<Item = [f64; 2]>) -> Self {
+        let mut farthest = [(f64::NEG_INFINITY, [0.0; 2]); 4];
+        for [x, y] in points {
+            for (best, outwards) in farthest.iter_mut().zip([-x - y, x - y, y - x, x + y]) {
+                if outwards > best.0 {
+                    *best = (outwards, [x, y]);
+                }
+            }
+        }
+        let [(_, sw), (_, se), (_, nw), (_, ne)] = farthest;
         Self {
             low: [sw[0].max(nw[0]), sw[1].max(se[1])],
             high: [se[0].min(ne[0]), nw[1].min(ne[1])],
