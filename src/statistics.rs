@@ -104,8 +104,10 @@ pub(crate) struct Measured {
 impl Measured {
     fn of(points: &[[f64; 2]], triangles: impl Iterator<Item = [u32; 3]>) -> Self {
         let mut angles = Angles::new(points);
-        for triangle in triangles {
-            angles.measure(triangle);
+        let corners = triangles.filter_map(|triangle| corners(points, triangle));
+        match angles.exponent {
+            0 => corners.for_each(|corners| angles.measure(corners)),
+            exponent => corners.for_each(|corners| angles.measure(scaled(corners, exponent))),
         }
         Self {
             area: angles.area(),
@@ -216,16 +218,15 @@ impl<'a> Angles<'a> {
     }
 
     #[inline(always)]
-    fn measure(&mut self, triangle: [u32; 3]) {
-        let Some([a, b, c]) = self.corners(triangle) else { return };
+    fn measure(&mut self, [a, b, c]: [[f64; 2]; 3]) {
         let twice_area = cross(difference(b, a), difference(c, a));
         self.twice_area += twice_area;
         // Quotients by one number are in the order of what is divided.
         let [a, b, c] = dots([a, b, c]);
-        let steepest = -a.min(b).min(c) / twice_area.abs();
-        let flattest = -a.max(b).max(c) / twice_area.abs();
-        self.largest_cotangent = self.largest_cotangent.max(steepest);
-        self.smallest_cotangent = self.smallest_cotangent.min(flattest);
+        let steepest = -lesser(lesser(a, b), c) / twice_area.abs();
+        let flattest = -greater(greater(a, b), c) / twice_area.abs();
+        self.largest_cotangent = greater(steepest, self.largest_cotangent);
+        self.smallest_cotangent = lesser(flattest, self.smallest_cotangent);
         // The smallest angle is at most 60°, the largest at least.
         self.smallest_angles[self.bins.of(steepest).min(11)] += 1;
         self.largest_angles[self.bins.of(flattest).saturating_sub(12)] += 1;
@@ -237,16 +238,9 @@ impl<'a> Angles<'a> {
         Some(cotangents([a, b, c], cross(difference(b, a), difference(c, a))))
     }
 
-    #[inline(always)]
-    fn corners(&self, [a, b, c]: [u32; 3]) -> Option<[[f64; 2]; 3]> {
-        let at = |i: u32| self.points.get(i as usize).copied();
-        let corners = [at(a)?, at(b)?, at(c)?];
-        Some(if self.exponent == 0 { corners } else { self.scaled(corners) })
-    }
-
-    #[cold]
-    fn scaled(&self, corners: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
-        corners.map(|corner| corner.map(|x| libm::scalbn(x, self.exponent)))
+    /// The corners of a triangle, scaled, or nothing where one does not exist.
+    fn corners(&self, triangle: [u32; 3]) -> Option<[[f64; 2]; 3]> {
+        corners(self.points, triangle).map(|corners| scaled(corners, self.exponent))
     }
 
     fn area(&self) -> f64 {
@@ -259,6 +253,21 @@ impl<'a> Angles<'a> {
 
     fn largest(&self) -> f64 {
         angle(self.smallest_cotangent)
+    }
+}
+
+/// The corners of a triangle, or nothing where one does not exist.
+#[inline(always)]
+fn corners(points: &[[f64; 2]], [a, b, c]: [u32; 3]) -> Option<[[f64; 2]; 3]> {
+    let at = |i: u32| points.get(i as usize).copied();
+    Some([at(a)?, at(b)?, at(c)?])
+}
+
+/// Corners multiplied by 2 to this power.
+fn scaled(corners: [[f64; 2]; 3], exponent: i32) -> [[f64; 2]; 3] {
+    match exponent {
+        0 => corners,
+        _ => corners.map(|corner| corner.map(|x| libm::scalbn(x, exponent))),
     }
 }
 
@@ -279,6 +288,19 @@ fn angle(cotangent: f64) -> f64 {
         return 0.0;
     }
     libm::atan2(1.0, cotangent)
+}
+
+/// The greater of two; the second where they cannot be compared. (The language's own `max` looks
+/// at both.)
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// The lesser of two; the second where they cannot be compared.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
 }
 
 #[inline(always)]
