@@ -13,9 +13,14 @@ pub fn may_be_small(a: Relative, b: Relative, kappa: MinAngle) -> bool {
     let (cross, dot) = (a.cross(b), a.dot(b));
     // |·||·|cos of the three angles: all have the same |·||·|sin, so the largest is the smallest
     // angle's.
-    let larger = |x, y| if x > y { x } else { y };
     let largest = larger(dot, larger(a.squared - dot, b.squared - dot));
     may_be_below(cross, largest, kappa)
+}
+
+/// The larger of two numbers. (What `f64::max` does with what is no number shows in an inner loop.)
+#[inline(always)]
+fn larger(x: f64, y: f64) -> f64 {
+    if x > y { x } else { y }
 }
 
 /// Whether an angle may be below κ̂, by its rounded sine and cosine up to a common factor.
@@ -47,20 +52,16 @@ pub enum Look {
 #[must_use]
 pub fn look(a: Relative, b: Relative, kappa: MinAngle) -> Look {
     let (cross, dot) = (a.cross(b), a.dot(b));
-    // By |·||·|cos of the three angles as above, each with the edge opposite.
+    // By |·||·|cos of the three angles as above.
     let [at_a, at_b] = [a.squared - dot, b.squared - dot];
-    let (edge, largest) = if dot >= at_a.max(at_b) {
-        (0, dot)
-    } else if at_a >= at_b {
-        (1, at_a)
-    } else {
-        (2, at_b)
-    };
+    let largest = larger(dot, larger(at_a, at_b));
     if !may_be_below(cross, largest, kappa) {
         Look::Fine
     } else if kappa.denominator * (cross * cross)
         < (kappa.numerator * 0.999_999_9) * (largest * largest)
     {
+        // The edge opposite the angle that has it.
+        let edge = if dot == largest { 0 } else { 2 - usize::from(at_a == largest) };
         Look::Small { edge, squared: squared_edges(a, b)[edge] }
     } else {
         Look::Unsure
