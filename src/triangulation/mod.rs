@@ -199,27 +199,25 @@ impl Triangulation {
     /// triangle's neighbours in the star are the ones before and after it; where a subsegment was
     /// split its halves are the constrained edges at the joints of the two sides.
     fn link_star(&mut self, vertex: u32, cavity: &Cavity) {
-        let (star, count) = (&cavity.star[..cavity.boundary.len()], cavity.boundary.len());
-        let mut before = star[count - 1];
-        for (i, (&slot, side)) in star.iter().zip(&cavity.boundary).enumerate() {
-            let after = star[if i + 1 == count { 0 } else { i + 1 }];
-            let (to_after, to_before) = (Edge::new(after, 2), Edge::new(before, 1));
-            let neighbors = if cavity.is_split() {
-                [
-                    side.behind,
-                    cavity.joint_before(i + 1).map_or(to_after, |joint| joint.link(to_after)),
-                    cavity.joint_before(i).map_or(to_before, |joint| joint.link(to_before)),
-                ]
-            } else {
-                [side.behind, to_after, to_before]
-            };
-            before = slot;
+        let star = &cavity.star[..cavity.boundary.len()];
+        let (Some(&first), Some(&last)) = (star.first(), star.last()) else { return };
+        let (mut before, mut slot) = (last, first);
+        for (i, side) in cavity.boundary.iter().enumerate() {
+            let after = star.get(i + 1).copied().unwrap_or(first);
+            let mut neighbors = [side.behind, Edge::new(after, 2), Edge::new(before, 1)];
+            if cavity.is_split() {
+                neighbors[1] =
+                    cavity.joint_before(i + 1).map_or(neighbors[1], |j| j.link(neighbors[1]));
+                neighbors[2] =
+                    cavity.joint_before(i).map_or(neighbors[2], |j| j.link(neighbors[2]));
+            }
             let [a, b] = side.ends;
             self.triangles[slot as usize] = Triangle { vertices: [vertex, a, b], neighbors };
             if !side.behind.is_outside() {
                 self.triangles[side.behind.triangle() as usize].neighbors[side.behind.index()] =
                     Edge::new(slot, 0).constrained_if(side.behind.is_constrained());
             }
+            (before, slot) = (slot, after);
         }
         if !self.regions.is_empty() {
             for (i, &slot) in star.iter().enumerate() {
