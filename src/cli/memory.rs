@@ -7,9 +7,8 @@ use sysinfo::{MemoryRefreshKind, RefreshKind, System};
 use super::failure::Failure;
 use super::wording::{bytes, count};
 
-/// What a point of the mesh takes, with its triangles and all that is made on the way: measured
-/// between 124 bytes (a square of 44 million triangles) and 372 (100 000 points on a line), and
-/// rounded up.
+/// What a point of the mesh takes, with its triangles and all that is made on the way: measured up to
+/// 265 bytes (100 000 points on a circle), and half as much again.
 const BYTES_PER_POINT: u64 = 400;
 /// The same where the mesh is judged: 220 (that square with 0.9 million) to 442 (coasts of the world).
 const BYTES_PER_JUDGED_POINT: u64 = 480;
