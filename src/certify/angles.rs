@@ -68,15 +68,16 @@ pub(super) fn judge(
     let mut extremes = Extremes::default();
     for t in 0..complex.triangles.len() {
         let points = complex.corners(t);
+        let [p, q, r] = points;
+        let sides = [vector(p, q), vector(q, r), vector(r, p)];
         for k in 0..3 {
-            let (p, a, b) = (points[k], points[(k + 1) % 3], points[(k + 2) % 3]);
-            let (cross, dot) = plain_cross_and_dot(p, a, b);
+            let (cross, dot) = cross_and_dot(sides[k], sides[(k + 2) % 3].map(|x| -x));
             // Plain numbers decide unless the angle is small or the triangle tiny or flat.
             let plain = cross > 1e-12 * dot.abs() && cross > 1e-150;
             let is_small = !plain || (dot > 0.0 && cross < tangent * dot);
             let is_large = dot < cross * cotangent;
             let (cross, dot) = if is_small || is_large {
-                exact::corner(p, a, b).cross_and_dot()
+                exact::corner(points[k], points[(k + 1) % 3], points[(k + 2) % 3]).cross_and_dot()
             } else {
                 (cross, dot)
             };
@@ -110,8 +111,12 @@ fn lemma_7(theta: f64) -> f64 {
     libm::atan2(libm::sin(theta), 2.0 - libm::cos(theta))
 }
 
-fn plain_cross_and_dot(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> (f64, f64) {
-    let (ax, ay, bx, by) = (a[0] - p[0], a[1] - p[1], b[0] - p[0], b[1] - p[1]);
+/// From one point to another, rounded.
+fn vector(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+    [to[0] - from[0], to[1] - from[1]]
+}
+
+fn cross_and_dot([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> (f64, f64) {
     (ax * by - ay * bx, ax * bx + ay * by)
 }
 
