@@ -36,7 +36,7 @@ impl Chains {
         let mut chains = Self::nothing(complex);
         chains.seats = vec![NONE; complex.points.len()];
         chains.alone = true;
-        List::new(complex, &mut chains.roles, g4);
+        List::new(complex, g4).mark_open_edges(complex, &mut chains.roles);
         if complex.mesh.edges.is_empty() {
             // A mesh that lists none: what has one side is taken for a boundary.
             complex.one_sided().iter().for_each(|&h| chains.roles.list(h));
@@ -48,7 +48,7 @@ impl Chains {
     fn nothing(complex: &Complex) -> Self {
         Self {
             chain: Sequences::default(),
-            roles: Roles::new(complex.halves().end),
+            roles: Roles::new(complex.halves().end, complex.mesh.edges.len()),
             seats: Vec::new(),
             vertex: Vec::new(),
             alone: false,
@@ -120,10 +120,11 @@ pub(super) fn judge(
     g4: &mut Judgement,
 ) -> Chains {
     let mut chains = Chains::nothing(complex);
+    chains.chain = Sequences::with_capacity(outline.segments.len(), complex.mesh.edges.len());
     chains.vertex = find_points(outline, complex, &at_input, g4);
     chains.seats = at_input; // (in its place)
     chains.seats.fill(NONE);
-    let list = List::new(complex, &mut chains.roles, g4);
+    let list = List::new(complex, g4);
     for (input, &v) in (0..).zip(&chains.vertex).filter(|(_, v)| **v != NONE) {
         chains.seats[v as usize] = 2 * input;
     }
@@ -138,6 +139,7 @@ pub(super) fn judge(
     for s in segments {
         walk.claim(s);
     }
+    walk.list.mark_open_edges(complex, &mut walk.chains.roles);
     walk.chains.roles.settle();
     walk.report_surplus();
     walk.chains
@@ -179,7 +181,7 @@ struct List {
 }
 
 impl List {
-    fn new(complex: &Complex, roles: &mut Roles, g4: &mut Judgement) -> Self {
+    fn new(complex: &Complex, g4: &mut Judgement) -> Self {
         let mesh = complex.mesh;
         let there =
             |v: u32| mesh.points.get(v as usize).is_some_and(|p| p.iter().all(|x| x.is_finite()));
@@ -188,16 +190,24 @@ impl List {
             if !there(v) || !there(w) {
                 g4.add(Fault::at_edge(mesh, FaultKind::NoSuchEdgePoint, [v, w]));
                 taken[e] = true;
-                continue;
-            }
-            for h in complex.find(v, w).into_iter().filter(|&h| h != NONE) {
-                roles.list(h);
             }
         }
         let sound = mesh.edges.iter().enumerate().filter(|(e, _)| !taken[*e]);
         let ends = sound.flat_map(|(e, &edge)| edge.map(|v| (v, e as u32)));
         let (start, edges) = super::grouped(complex.points.len(), ends);
         Self { start, edges, taken }
+    }
+
+    /// Makes the half-edges along edges that no chain has ones that are listed.
+    fn mark_open_edges(&self, complex: &Complex, roles: &mut Roles) {
+        let edges = complex.mesh.edges.iter().zip(&self.taken);
+        for &[v, w] in edges.filter(|(_, taken)| !**taken).map(|(edge, _)| edge) {
+            for h in complex.find(v, w).into_iter().filter(|&h| h != NONE) {
+                if !roles.is_bound(h) {
+                    roles.list(h);
+                }
+            }
+        }
     }
 
     fn at(&self, v: u32) -> &[u32] {

@@ -248,19 +248,21 @@ fn grouped<T: Copy + Default>(
     count: usize,
     items: impl Iterator<Item = (u32, T)> + Clone,
 ) -> (Vec<u32>, Vec<T>) {
-    let mut start = vec![0_u32; count + 1];
+    // One place further than they will stand, so that filling moves them to their places.
+    let mut start = vec![0_u32; count + 2];
     for (v, _) in items.clone() {
-        start[v as usize + 1] += 1;
+        start[v as usize + 2] += 1;
     }
-    for v in 1..=count {
+    for v in 2..start.len() {
         start[v] += start[v - 1];
     }
-    let mut next = start.clone();
-    let mut sorted = vec![T::default(); start[count] as usize];
+    let mut sorted = vec![T::default(); start[count + 1] as usize];
     for (v, item) in items {
-        sorted[next[v as usize] as usize] = item;
-        next[v as usize] += 1;
+        let place = &mut start[v as usize + 1];
+        sorted[*place as usize] = item;
+        *place += 1;
     }
+    start.pop();
     (start, sorted)
 }
 

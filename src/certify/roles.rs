@@ -13,9 +13,12 @@ pub(super) struct Roles {
 }
 
 impl Roles {
-    /// No half-edge below `count` has a role.
-    pub(super) fn new(count: u32) -> Self {
-        Self { known: Vec::new(), is_bound: vec![0; count.div_ceil(64) as usize] }
+    /// No half-edge below `count` has a role; those of so many edges will have one.
+    pub(super) fn new(count: u32, edges: usize) -> Self {
+        Self {
+            known: Vec::with_capacity(2 * edges),
+            is_bound: vec![0; count.div_ceil(64) as usize],
+        }
     }
 
     /// Makes a half-edge one that is listed.

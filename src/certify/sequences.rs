@@ -13,6 +13,12 @@ pub(super) struct Sequences {
 }
 
 impl Sequences {
+    /// Room for so many sequences of `steps` steps in all.
+    pub(super) fn with_capacity(count: usize, steps: usize) -> Self {
+        let (all, start) = (Vec::with_capacity(count + steps), Vec::with_capacity(count));
+        Self { all, start, replaced: BTreeMap::new() }
+    }
+
     /// Begins the next sequence.
     pub(super) fn begin(&mut self) {
         self.start.push(self.all.len() as u32);

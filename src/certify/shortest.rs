@@ -92,7 +92,9 @@ impl<'o> Augmented<'o> {
         let is_shell = |v: u32| complex.mesh.provenance[v as usize] == Provenance::Shell;
         let count = outline.points.len() as u32;
         let (mut shells, mut shell_points) = (Vec::new(), Vec::new());
-        let mut placed = Vec::new();
+        let kinds = complex.mesh.provenance.iter();
+        let shell_count = kinds.filter(|&&kind| kind == Provenance::Shell).count();
+        let mut placed = Vec::with_capacity(outline.segments.len() + shell_count);
         for (s, segment) in (0..).zip(&outline.segments) {
             let [mut from, to] = segment.ends;
             let mut first = chains.vertex[from as usize];
