@@ -337,8 +337,8 @@ impl<'a> Refinement<'a> {
         if self.parameters.rule != Rule::Adaptive {
             return false;
         }
-        let ends = [(edge + 1) % 3, (edge + 2) % 3].map(|i| vertices[i]);
-        let [Some(a), Some(b)] = ends.map(|v| self.provenances.segment_point(v).copied()) else {
+        let segment_point = |i: usize| self.provenances.segment_point(vertices[i]).copied();
+        let (Some(a), Some(b)) = (segment_point(next(edge)), segment_point(previous(edge))) else {
             return false;
         };
         if a.segment == b.segment {

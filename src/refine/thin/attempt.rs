@@ -44,10 +44,10 @@ impl Look for Thinning<'_, '_> {
     }
 
     fn may_be_too_large(&self) -> Option<impl Fn([Relative; 2]) -> bool> {
-        let Refinement { sizing, sizes, .. } = self.refinement;
-        let may_be =
-            |[a, b]: [Relative; 2]| sizes.is_some() || sizing.may_be_too_large(a, b, self.region);
-        (sizes.is_some() || sizing.has_bounds()).then_some(may_be)
+        // (What the sizes of points say shows after the commit: only then the new one's is known.)
+        let sizing = &self.refinement.sizing;
+        let may_be = |[a, b]: [Relative; 2]| sizing.may_be_too_large(a, b, self.region);
+        sizing.has_bounds().then_some(may_be)
     }
 
     fn most_made(&self) -> u32 {
