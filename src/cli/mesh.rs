@@ -89,7 +89,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let pslg = mended.outline();
     mended.say(voice);
     // What is told is what was asked for, not what this machine has free.
-    let room = arguments.memory.room(parameters.judged);
+    let room = arguments.memory.room();
     let room = room.filter(|room| room.points < parameters.max_points);
     room.map_or(Ok(()), |room| room.expect(pslg.points.len()))?;
     let within_room = Parameters {

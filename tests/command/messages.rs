@@ -192,7 +192,7 @@ fn a_run_ends_before_memory_does() {
     let bench = Bench::with("memory", "square.poly", SQUARE);
     let said = bench.fails("mesh square.poly --max-area 1e-5 --memory 1MB -o a.msh", 4);
     assert!(
-        said.contains("stopped at 2 083 points, as many as fit into 1.0 MB (--memory)"),
+        said.contains("stopped at 2 500 points, as many as fit into 1.0 MB (--memory)"),
         "{said}"
     );
     assert!(said.contains("help: a larger --memory"), "{said}");
