@@ -46,6 +46,9 @@ struct Arguments {
     /// Gmsh's command
     #[arg(long, default_value = ".venv/bin/gmsh")]
     gmsh: PathBuf,
+    /// Makes the outline of this case, and nothing else
+    #[arg(long, hide = true)]
+    make: Option<String>,
 }
 
 fn main() -> ExitCode {
@@ -60,8 +63,11 @@ fn main() -> ExitCode {
 
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&arguments.folder)?;
+    if let Some(name) = &arguments.make {
+        let mut all = Case::all().into_iter();
+        return make_outline(&all.find(|case| case.name == name).ok_or("no such case")?, arguments);
+    }
     let programs = programs(arguments)?;
-    let world = arguments.data.as_ref().map(|data| data.join("gis/world50.poly.gz"));
     println!("{}\n", machine());
     print!("{}", table::head());
     for case in Case::all() {
@@ -69,14 +75,10 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         if !is_named || (case.is_large && !arguments.large) {
             continue;
         }
-        let Some(outline) = case.outline(world.as_deref())? else {
+        make_outline_elsewhere(&case, arguments)?;
+        if !file_of(&case, arguments).exists() {
             eprintln!("{}: left out, the collection is not there (MESHWRIGHT_DATA)", case.name);
             continue;
-        };
-        let file = arguments.folder.join(case.name).with_extension("poly");
-        fs::write(&file, poly::text(&outline, case.name))?;
-        if let Some(script) = geo(&case) {
-            fs::write(file.with_extension("geo"), script)?;
         }
         let mut runs: Vec<_> = Program::ALL.map(|program| (program, Vec::new())).into();
         for _ in 0..arguments.rounds {
@@ -85,6 +87,39 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             }
         }
         print!("{}", table::rows(case.name, &runs));
+    }
+    Ok(())
+}
+
+fn file_of(case: &Case, arguments: &Arguments) -> PathBuf {
+    arguments.folder.join(case.name).with_extension("poly")
+}
+
+/// Makes a case's outline in a process of its own: what this one takes at its peak would count as
+/// taken by the programs that it starts.
+fn make_outline_elsewhere(case: &Case, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let file = file_of(case, arguments);
+    if file.exists() {
+        fs::remove_file(file)?;
+    }
+    let mut made = Command::new(std::env::current_exe()?);
+    made.args(["--make", case.name, "--folder"]).arg(&arguments.folder);
+    if let Some(data) = &arguments.data {
+        made.arg("--data").arg(data);
+    }
+    process::run(&mut made, &arguments.folder)?;
+    Ok(())
+}
+
+/// Writes a case's outline, if it can be made.
+fn make_outline(case: &Case, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let world = arguments.data.as_ref().map(|data| data.join("gis/world50.poly.gz"));
+    let file = file_of(case, arguments);
+    if let Some(outline) = case.outline(world.as_deref())? {
+        fs::write(&file, poly::text(&outline, case.name))?;
+    }
+    if let Some(script) = geo(case) {
+        fs::write(file.with_extension("geo"), script)?;
     }
     Ok(())
 }
