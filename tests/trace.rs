@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use meshwright::formats::{Mesh, Provenance, poly};
 use meshwright::refine::trace::{Cause, Damaged, Event, Fault, Made, Refusal, Replay};
-use meshwright::{Outcome, Parameters, Pslg, Rule, Splitting, Steiner, mesh, trace};
+use meshwright::{MinAngle, Outcome, Parameters, Pslg, Rule, Splitting, Steiner, mesh, trace};
 
 fn read(name: &str, text: &[u8]) -> Pslg {
     poly::read(text, name, |node| std::fs::read(node)).expect("the outline is read").0
@@ -276,4 +276,23 @@ fn events_of_no_whole_run_are_damaged() {
     assert_eq!(replay(&mut without.into_iter()), Err(Damaged), "without its first point");
     let twice = events[..=first].iter().chain(&events[first..]);
     assert_eq!(replay(&mut twice.into_iter()), Err(Damaged), "its first point twice");
+}
+
+#[test]
+fn a_segment_to_come_is_called_by_a_point_that_encroaches_it_from_afar() {
+    // A needle whose third segment is encroached when its turn has not come: the triangle on it
+    // is out of reach for the points near its end.
+    let needle: &[u8] = b"3 2\n0 -11.169529755461243 -90.26663930416545\n\
+        1 -11.207759182314707 -90.22182926984135\n2 -11.198470502962026 -90.23271718253224\n\
+        3 0\n0 0 1\n1 1 2\n2 2 0\n0\n";
+    let target = MinAngle::soft_from_degrees(33.0).expect("it is no more than 34°");
+    let parameters = Parameters {
+        incremental: true,
+        steiner: Steiner::LookAhead,
+        soft_angle: Some(target),
+        ..Parameters::default()
+    };
+    let outcome = mesh(&read("needle", needle), &parameters).expect("it is meshed");
+    assert!(outcome.certificate.holds());
+    assert_eq!(outcome.refused, 0);
 }

@@ -8,12 +8,16 @@
 //!
 //! A segment comes before its turn where a Steiner point needs to know of it: it would be
 //! encroached by the point, or hide it. The bad triangle then waits until the segment conforms.
+//! (A segment that an apex encroaches already may be encroached by a point that is in the
+//! circumcircle of none of its triangles: the cavity does not show it, so such are looked up. A
+//! point may lie as near to it as chance will, and pieces as short would be asked for later.)
 
 use std::ops::ControlFlow;
 
 use super::queue::Entry;
 use super::trace::Proposer;
 use super::{End, Flow, Refinement, Watch};
+use crate::boxes::{Boxes, Rectangle};
 use crate::domain::Domain;
 use crate::parameters::Splitting;
 use crate::predicates::{Relative, encroaches};
@@ -44,6 +48,8 @@ pub(super) struct Introduced {
     segments: Vec<bool>,
     /// By the vertices of the domain; every later vertex is introduced.
     vertices: Vec<bool>,
+    /// The squares around the segments' diametral discs.
+    discs: Boxes,
     /// For each vertex of the domain, bad triangles that wait for it.
     waiting: Vec<Vec<Entry>>,
     /// The introductions so far.
@@ -53,7 +59,10 @@ pub(super) struct Introduced {
 impl Introduced {
     /// Nothing has.
     pub(super) fn none_of(domain: &Domain) -> Self {
+        let ends = domain.segments.iter().map(|ends| ends.map(|v| domain.points[v as usize]));
+        let discs: Vec<_> = ends.map(|[a, b]| around_diametral_disc(a, b)).collect();
         Self {
+            discs: Boxes::new(&discs),
             segments: vec![false; domain.segments.len()],
             vertices: vec![false; domain.points.len()],
             waiting: vec![Vec::new(); domain.points.len()],
@@ -117,10 +126,10 @@ impl Refinement<'_> {
     }
 
     /// The segments around the cavity that are still to come, and that the new point or an apex
-    /// encroaches. (A point hidden behind a segment lies in the circumcircle of a triangle whose
-    /// apex encroaches it.)
+    /// encroaches, and all others that the new point encroaches. (A point hidden behind a segment
+    /// lies in the circumcircle of a triangle whose apex encroaches it.)
     fn segments_to_call(&self) -> Vec<u32> {
-        let mut called = Vec::new();
+        let mut called = self.segments_to_come_encroached_by(self.cavity.point);
         for side in self.cavity.subsegments() {
             let Some(segment) = self.segment_of(side.ends) else { continue };
             if self.is_introduced(segment) || called.contains(&segment) {
@@ -139,6 +148,22 @@ impl Refinement<'_> {
             }
         }
         called
+    }
+
+    /// The segments that are still to come and whose diametral discs hold a point.
+    fn segments_to_come_encroached_by(&self, point: [f64; 2]) -> Vec<u32> {
+        let mut found = Vec::new();
+        let Some(introduced) = &self.introduced else { return found };
+        let _ = introduced.discs.overlapping(&Rectangle::around(point, point), |segment| {
+            let ends = self.segments.ends[segment as usize].map(|v| self.mesh.points[v as usize]);
+            let seen = ends.map(|end| Relative::of(end, point));
+            if !introduced.segments[segment as usize] && encroaches(seen, ends, point) {
+                found.push(segment);
+            }
+            ControlFlow::<()>::Continue(())
+        });
+        found.sort_unstable();
+        found
     }
 
     /// The triangles' edges that a subsegment is, one on either meshed side.
@@ -194,4 +219,12 @@ impl Refinement<'_> {
         }
         ControlFlow::Continue(())
     }
+}
+
+/// A square that holds the diametral disc of a segment, whatever rounding did.
+fn around_diametral_disc([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> Rectangle {
+    let [x, y] = [0.5 * ax + 0.5 * bx, 0.5 * ay + 0.5 * by];
+    let radius = 0.5 * Relative::of([ax, ay], [bx, by]).squared.sqrt();
+    let reach = radius + 1e-12 * (radius + x.abs() + y.abs());
+    Rectangle::around([x - reach, y - reach], [x + reach, y + reach])
 }
