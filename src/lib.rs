@@ -50,6 +50,7 @@ pub mod domain;
 mod double_double;
 pub mod draw;
 mod hilbert;
+mod order;
 mod outline_of;
 mod parameters;
 pub mod predicates;

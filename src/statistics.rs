@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use meshwright_formats::{Group, Mesh, Provenance, Tag};
 
 use crate::corners::each;
+use crate::order::{greater, lesser};
 use crate::triangulation::Triangulation;
 
 mod bins;
@@ -288,19 +289,6 @@ fn angle(cotangent: f64) -> f64 {
         return 0.0;
     }
     libm::atan2(1.0, cotangent)
-}
-
-/// The greater of two; the second where they cannot be compared. (The language's own `max` looks
-/// at both.)
-#[inline(always)]
-fn greater(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
-}
-
-/// The lesser of two; the second where they cannot be compared.
-#[inline(always)]
-fn lesser(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
 }
 
 #[inline(always)]

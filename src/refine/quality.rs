@@ -2,6 +2,7 @@
 
 use crate::constructions::Angle;
 use crate::corners::{each, next, previous};
+use crate::order::greater;
 use crate::parameters::MinAngle;
 use crate::predicates::Relative;
 
@@ -13,14 +14,8 @@ pub fn may_be_small(a: Relative, b: Relative, kappa: MinAngle) -> bool {
     let (cross, dot) = (a.cross(b), a.dot(b));
     // |·||·|cos of the three angles: all have the same |·||·|sin, so the largest is the smallest
     // angle's.
-    let largest = larger(dot, larger(a.squared - dot, b.squared - dot));
+    let largest = greater(dot, greater(a.squared - dot, b.squared - dot));
     may_be_below(cross, largest, kappa)
-}
-
-/// The larger of two numbers. (What `f64::max` does with what is no number shows in an inner loop.)
-#[inline(always)]
-fn larger(x: f64, y: f64) -> f64 {
-    if x > y { x } else { y }
 }
 
 /// Whether an angle may be below κ̂, by its rounded sine and cosine up to a common factor.
@@ -54,7 +49,7 @@ pub fn look(a: Relative, b: Relative, kappa: MinAngle) -> Look {
     let (cross, dot) = (a.cross(b), a.dot(b));
     // By |·||·|cos of the three angles as above.
     let [at_a, at_b] = [a.squared - dot, b.squared - dot];
-    let largest = larger(dot, larger(at_a, at_b));
+    let largest = greater(dot, greater(at_a, at_b));
     if !may_be_below(cross, largest, kappa) {
         Look::Fine
     } else if kappa.denominator * (cross * cross)
