@@ -36,8 +36,9 @@ impl<'a> Linework<'a> {
 /// What a clean sweep finds.
 #[derive(Debug)]
 pub struct Located {
-    /// For each point of the order the segment directly below it, `u32::MAX` where there is none. ("Below" is
-    /// meant lexicographically: a point above the upper end of a vertical segment lies beside it.)
+    /// For each point of the order the segment directly below it, `u32::MAX` where there is none.
+    /// ("Below" is meant lexicographically: a point above the upper end of a vertical segment lies
+    /// beside it.)
     pub below: Vec<u32>,
     /// Where each seed lies.
     pub seeds: Vec<Place>,

@@ -24,7 +24,8 @@ const HEIGHTS: [f64; 3] = [1.33, 1.68, 2.02];
 /// The same where there is a soft target: its triangles are flatter. More heights cost points
 /// (boxed at 33°: 1 691 with this one; 1 807 with 1.33 and 1.385 too).
 const HEIGHTS_WITH_TARGET: [f64; 1] = [1.45];
-/// For an angle that only misses the soft target: heights in the circumcenter's.
+/// For an angle that only misses the soft target: heights in the circumcenter's. (Of the last one only
+/// the middle is tried: more do not fit into a survey.)
 const SOFT_HEIGHTS: [f64; 8] = [1.0, 0.7, 0.85, 1.15, 1.3, 1.5, 1.7, 1.9];
 /// Shifts along the trigger edge from its middle, in its lengths.
 const SHIFTS: [f64; 9] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75, -1.0, 1.0];
@@ -104,7 +105,8 @@ impl Demand {
 }
 
 impl Refinement<'_> {
-    /// The best candidate for a bad triangle's Steiner point, if any keeps the rule.
+    /// The best candidate for a bad triangle's Steiner point, if any keeps the rule; its cavity is
+    /// found on the way.
     pub(super) fn look_ahead(&mut self, entry: Entry, trigger: Trigger) -> Option<[f64; 2]> {
         if trigger.only_size {
             return None;
@@ -113,14 +115,21 @@ impl Refinement<'_> {
         let mut survey = std::mem::take(&mut self.survey);
         survey.begin(&self.mesh, (demand.slot, demand.nearest), demand.places());
         survey.look_around(&self.mesh, &Ahead(self));
-        let best = self.best_that_may_stand(&mut survey, &demand);
+        let cost = |prospect| Some(Outlook::of(prospect));
+        let best = self.best_that_may_stand(&mut survey, &demand, cost);
         self.survey = survey;
         best
     }
 
-    /// The best place of a survey that keeps the rule, exactly.
-    fn best_that_may_stand(&mut self, survey: &mut Survey, demand: &Demand) -> Option<[f64; 2]> {
-        while let Some((i, _)) = survey.best(Outlook::of) {
+    /// The place of a survey with the least cost that keeps the rule, exactly; its cavity is found on
+    /// the way.
+    pub(super) fn best_that_may_stand<C: Ord>(
+        &mut self,
+        survey: &mut Survey,
+        demand: &Demand,
+        cost: impl Fn(Prospect) -> Option<C>,
+    ) -> Option<[f64; 2]> {
+        while let Some(i) = survey.best(&cost) {
             let point = self.precision.round(survey.place(i));
             if self.may_stand(point, demand) {
                 return Some(point);
@@ -156,7 +165,7 @@ impl Refinement<'_> {
     }
 
     /// Whether a point keeps the rule; its cavity is found on the way.
-    pub(super) fn may_stand(&mut self, point: [f64; 2], demand: &Demand) -> bool {
+    fn may_stand(&mut self, point: [f64; 2], demand: &Demand) -> bool {
         self.cavity.of_steiner_point(&self.mesh, point, demand.slot).is_ok()
             && self.cavity.nearest_squared() >= demand.nearest
             && self.cavity.encroached(&self.mesh).next().is_none()

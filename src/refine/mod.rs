@@ -376,7 +376,9 @@ impl<'a> Refinement<'a> {
         };
         let point = ahead.unwrap_or_else(usual);
         let proposer = Proposer { vertices, trigger, point };
-        if let Err(rejected) = self.cavity.of_steiner_point(&self.mesh, point, entry.slot) {
+        if ahead.is_none()
+            && let Err(rejected) = self.cavity.of_steiner_point(&self.mesh, point, entry.slot)
+        {
             self.refuse(entry, proposer, rejected.into());
             return ControlFlow::Continue(());
         }

@@ -176,10 +176,11 @@ impl Survey {
         self.allowed = 0;
     }
 
-    /// The allowed place with the least `cost`, the first of several.
-    pub(super) fn best<C: Ord>(&self, cost: impl Fn(Prospect) -> C) -> Option<(usize, C)> {
+    /// The allowed place with the least `cost`, the first of several; none that has no cost.
+    pub(super) fn best<C: Ord>(&self, cost: impl Fn(Prospect) -> Option<C>) -> Option<usize> {
         let allowed = members(self.allowed);
-        allowed.map(|i| (i, cost(self.prospects[i]))).min_by(|(_, a), (_, b)| a.cmp(b))
+        let with_cost = allowed.filter_map(|i| cost(self.prospects[i]).map(|cost| (i, cost)));
+        with_cost.min_by(|(_, a), (_, b)| a.cmp(b)).map(|(i, _)| i)
     }
 
     /// Where place `i` is.

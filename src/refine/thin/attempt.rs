@@ -3,7 +3,7 @@
 use super::super::Refinement;
 use super::super::look_ahead::Demand;
 use super::super::quality::Trigger;
-use super::super::survey::Look;
+use super::super::survey::{Look, Prospect};
 use super::Thinner;
 use crate::parameters::MinAngle;
 use crate::predicates::{self, Relative};
@@ -165,12 +165,17 @@ impl Refinement<'_> {
         thinner.bad.iter().min_by(|a, b| length(a).total_cmp(&length(b))).copied()
     }
 
-    /// Commits the best Steiner point of a bad triangle: if it is the `last` one, one that leaves
-    /// no bad triangle.
+    /// Commits the Steiner point of a bad triangle that leaves the fewest bad ones: if it is the `last`
+    /// one, one that leaves none.
     fn put_in(&mut self, worst: Found, last: bool, thinner: &mut Thinner) -> Option<()> {
         let demand = self.demand(worst.slot, worst.trigger?);
         self.survey(&demand, last, thinner);
-        self.find_best(&demand, last, thinner)?;
+        let bad = thinner.bad.len() as u32;
+        let left = |would: Prospect| {
+            let left = (bad + would.made).saturating_sub(would.removed);
+            (left == 0 || !last).then_some(left)
+        };
+        self.best_that_may_stand(&mut thinner.survey, &demand, left)?;
         thinner.journal.note_commit(&self.mesh, &self.cavity);
         self.mesh.commit(&mut self.cavity);
         self.provenances.push_steiner_point();
@@ -199,23 +204,5 @@ impl Refinement<'_> {
         survey.look_around(&self.mesh, &Thinning { refinement: self, thinner, region, most_made });
         thinner.survey = survey;
         thinner.random = random;
-    }
-
-    /// Finds the cavity of the place that leaves the fewest bad triangles, if any keeps the rule.
-    fn find_best(&mut self, demand: &Demand, last: bool, thinner: &mut Thinner) -> Option<()> {
-        let bad = thinner.bad.len() as u32;
-        let Thinner { survey, .. } = thinner;
-        while let Some((i, left)) =
-            survey.best(|would| (bad + would.made).saturating_sub(would.removed))
-        {
-            if left > 0 && last {
-                return None;
-            }
-            if self.may_stand(self.precision.round(survey.place(i)), demand) {
-                return Some(());
-            }
-            survey.forbid(i);
-        }
-        None
     }
 }
