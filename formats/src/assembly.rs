@@ -34,7 +34,7 @@ pub(crate) struct Assembly {
     /// How many cells have such nodes.
     curved: usize,
     /// The z coordinate of all points.
-    plane: Option<f64>,
+    pub plane: Option<f64>,
 }
 
 impl Assembly {

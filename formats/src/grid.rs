@@ -3,6 +3,9 @@
 //! Edges, triangles and points are taken; of curved cells and polylines the corners and pieces. See
 //! [`vtu`](crate::vtu) for the arrays that have a meaning.
 
+mod column;
+mod points;
+
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -12,24 +15,27 @@ use crate::groups::stated_tag;
 use crate::mesh::{Data, Mesh, Provenance, Values};
 use crate::pslg::{Group, Tag};
 use crate::vtu::{MARKER, PHYSICAL, PROVENANCE, SEGMENT, TAG};
+use crate::wholes::Wholes;
+
+pub(crate) use column::{Column, Numbers};
+pub(crate) use points::Points;
 
 /// Points, cells and arrays, as they stand in a file.
 #[derive(Default)]
 pub(crate) struct Grid {
-    /// Three coordinates for each point.
-    pub points: Vec<f64>,
+    pub points: Points,
     /// VTK's kind of each cell.
-    pub kinds: Vec<i64>,
+    pub kinds: Wholes,
     /// Where the nodes of each cell end among all.
-    pub ends: Vec<i64>,
+    pub ends: Wholes,
     /// The nodes of all cells.
-    pub nodes: Vec<i64>,
+    pub nodes: Wholes,
     /// Arrays of points, with the right number of values.
-    pub point_data: Vec<Data>,
+    pub point_data: Vec<Column>,
     /// Arrays of cells, with the right number of values.
-    pub cell_data: Vec<Data>,
+    pub cell_data: Vec<Column>,
     /// Arrays of the whole.
-    pub field: Vec<Data>,
+    pub field: Vec<Column>,
 }
 
 /// An array of a grid.
@@ -60,10 +66,31 @@ fn wrong(part: Part, index: usize, expected: &'static str, found: impl ToString)
 /// Which cell each edge and each triangle of the mesh is.
 #[derive(Default)]
 struct Cells {
-    edges: Vec<usize>,
-    triangles: Vec<usize>,
+    edges: Runs,
+    triangles: Runs,
     /// Points that are cells, and which.
     points: Vec<(u32, usize)>,
+}
+
+/// Numbers that grow, most often by one.
+#[derive(Default)]
+pub(crate) struct Runs(Vec<Range<usize>>);
+
+impl Runs {
+    fn push(&mut self, number: usize) {
+        match self.0.last_mut() {
+            Some(last) if last.end == number => last.end += 1,
+            _ => self.0.push(number..number + 1),
+        }
+    }
+
+    fn runs(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        self.0.iter().cloned()
+    }
+
+    fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+        self.runs().flatten()
+    }
 }
 
 impl Grid {
@@ -79,40 +106,41 @@ impl Grid {
         self.take_groups(&meaning, &mut assembly.mesh);
         self.take_markers(&mut assembly.mesh)?;
         self.check_provenance()?;
+        (self.kinds, self.ends, self.nodes) = Default::default();
         self.take_data(&mut assembly.mesh, &cells);
         let (mut mesh, warnings) = assembly.finish(file);
-        take_provenance(&mut mesh);
+        if mesh.provenance.is_empty() {
+            take_provenance(&mut mesh);
+        }
         Ok((mesh, warnings))
     }
 
-    fn take_points(&self, assembly: &mut Assembly) -> Result<(), Wrong> {
-        for (point, xyz) in self.points.chunks_exact(3).enumerate() {
-            if let Some(k) = xyz.iter().position(|x| !x.is_finite()) {
-                let index = 3 * point + k;
-                return Err(wrong(Part::Points, index, "a finite number", xyz[k]));
+    fn take_points(&mut self, assembly: &mut Assembly) -> Result<(), Wrong> {
+        match self.points.wrong.take() {
+            Some(wrong) => Err(wrong),
+            None => {
+                assembly.mesh.points = std::mem::take(&mut self.points.places);
+                assembly.plane = self.points.plane;
+                Ok(())
             }
-            if assembly.same_plane(xyz[2]).is_err() {
-                let expected = "the same z for all points";
-                return Err(wrong(Part::Points, 3 * point + 2, expected, xyz[2]));
-            }
-            assembly.mesh.points.push([xyz[0], xyz[1]]);
         }
-        Ok(())
     }
 
     /// The tag of each cell: the first array that has a meaning, 0 without one.
-    fn tags(&self) -> Result<Vec<Tag>, Wrong> {
+    fn tags(&self) -> Result<Tags<'_>, Wrong> {
         let known = [TAG, PHYSICAL, "medit:ref", "CellEntityIds"];
         let of_cells = known.into_iter().find_map(|name| whole(&self.cell_data, name));
-        let Some((array, numbers)) = of_cells else { return Ok(vec![0; self.kinds.len()]) };
-        tags(numbers, Part::CellData(array))
+        match of_cells {
+            Some((array, numbers)) => Tags::new(numbers, Part::CellData(array)),
+            None => Ok(Tags(None)),
+        }
     }
 
-    fn take_cells(&self, assembly: &mut Assembly, tags: &[Tag]) -> Result<Cells, Wrong> {
+    fn take_cells(&self, assembly: &mut Assembly, tags: &Tags) -> Result<Cells, Wrong> {
         let mut cells = Cells::default();
         let mut start = 0;
         let mut nodes = Vec::new();
-        for (cell, (&kind, &end)) in self.kinds.iter().zip(&self.ends).enumerate() {
+        for (cell, (kind, end)) in self.kinds.iter().zip(self.ends.iter()).enumerate() {
             let range = usize::try_from(end).ok().filter(|&end| start <= end);
             let range = range.filter(|&end| end <= self.nodes.len()).map(|end| start..end);
             let expected = "the number of nodes so far";
@@ -127,17 +155,17 @@ impl Grid {
                 Pieces::Points => {
                     for &node in &nodes {
                         cells.points.push((node, cell));
-                        assembly.push(Shape::Point, &[node], tags[cell]);
+                        assembly.push(Shape::Point, &[node], tags.of(cell));
                     }
                 }
                 Pieces::Chain => {
                     for pair in nodes.windows(2) {
                         cells.edges.push(cell);
-                        assembly.push(Shape::Edge, pair, tags[cell]);
+                        assembly.push(Shape::Edge, pair, tags.of(cell));
                     }
                 }
                 Pieces::One(shape) => {
-                    assembly.push(shape, &nodes, tags[cell]);
+                    assembly.push(shape, &nodes, tags.of(cell));
                     let of_shape =
                         if shape == Shape::Edge { &mut cells.edges } else { &mut cells.triangles };
                     of_shape.push(cell);
@@ -155,7 +183,7 @@ impl Grid {
     ) -> Result<(), Wrong> {
         nodes.clear();
         for index in range {
-            let node = self.nodes[index];
+            let node = self.nodes.at(index);
             match u32::try_from(node) {
                 Ok(point) if (point as usize) < points => nodes.push(point),
                 _ => return Err(wrong(Part::Nodes, index, "a point", node)),
@@ -166,8 +194,8 @@ impl Grid {
 
     fn take_segments(&self, mesh: &mut Mesh, cells: &Cells) -> Result<(), Wrong> {
         let Some((array, numbers)) = whole(&self.cell_data, SEGMENT) else { return Ok(()) };
-        let segment = |&cell: &usize| {
-            let number = numbers[cell];
+        let segment = |cell: usize| {
+            let number = numbers.at(cell);
             let segment = if number == -1 { Some(u32::MAX) } else { u32::try_from(number).ok() };
             let expected = "a segment's number or -1";
             segment.ok_or_else(|| wrong(Part::CellData(array), cell, expected, number))
@@ -177,28 +205,33 @@ impl Grid {
     }
 
     /// Which tag the number of a group stands for, by dimension and number.
-    fn meaning(&self, cells: &Cells, tags: &[Tag]) -> BTreeMap<(u8, i64), Tag> {
+    fn meaning(&self, cells: &Cells, tags: &Tags) -> BTreeMap<(u8, i64), Tag> {
         let physical = whole(&self.cell_data, PHYSICAL).map(|(_, numbers)| numbers);
         let mut meaning = BTreeMap::new();
+        let mut last = None;
         let mut add = |dim, cell: usize| {
-            let number = physical.map_or(i64::from(tags[cell]), |numbers| numbers[cell]);
-            meaning.entry((dim, number)).or_insert(tags[cell]);
+            let tag = tags.of(cell);
+            let number = physical.map_or(i64::from(tag), |numbers| numbers.at(cell));
+            // (Most cells are of the group of the one before.)
+            if last.replace((dim, number)) != Some((dim, number)) {
+                meaning.entry((dim, number)).or_insert(tag);
+            }
         };
         cells.points.iter().for_each(|&(_, cell)| add(0, cell));
-        cells.edges.iter().for_each(|&cell| add(1, cell));
-        cells.triangles.iter().for_each(|&cell| add(2, cell));
+        cells.edges.iter().for_each(|cell| add(1, cell));
+        cells.triangles.iter().for_each(|cell| add(2, cell));
         meaning
     }
 
     /// The user's names: those of field arrays that hold pairs, less the stated ones.
     fn take_groups(&self, meaning: &BTreeMap<(u8, i64), Tag>, mesh: &mut Mesh) {
-        for Data { name, values, .. } in &self.field {
-            let Values::Integer(numbers) = values else { continue };
-            let pairs = numbers.chunks_exact(2);
-            if !pairs.remainder().is_empty() {
+        for Column { name, numbers, .. } in &self.field {
+            let Numbers::Whole(numbers) = numbers else { continue };
+            if !numbers.len().is_multiple_of(2) {
                 continue;
             }
-            for pair in pairs {
+            for pair in 0..numbers.len() / 2 {
+                let pair = [numbers.at(2 * pair), numbers.at(2 * pair + 1)];
                 let (Ok(number), Ok(dim @ 0..=2)) = (Tag::try_from(pair[0]), u8::try_from(pair[1]))
                 else {
                     continue;
@@ -214,31 +247,57 @@ impl Grid {
 
     fn take_markers(&self, mesh: &mut Mesh) -> Result<(), Wrong> {
         if let Some((array, numbers)) = whole(&self.point_data, MARKER) {
-            mesh.point_markers = tags(numbers, Part::PointData(array))?;
+            let markers = Tags::new(numbers, Part::PointData(array))?;
+            mesh.point_markers = (0..numbers.len()).map(|point| markers.of(point)).collect();
         }
         Ok(())
     }
 
     fn check_provenance(&self) -> Result<(), Wrong> {
         let Some((array, numbers)) = whole(&self.point_data, PROVENANCE) else { return Ok(()) };
-        match numbers.iter().position(|number| !(-1..=3).contains(number)) {
+        match numbers.iter().position(|number| !(-1..=3).contains(&number)) {
             None => Ok(()),
             Some(index) => {
                 let expected = "0 (input), 1 (shell), 2 (midpoint) or 3 (circumcenter)";
-                Err(wrong(Part::PointData(array), index, expected, numbers[index]))
+                Err(wrong(Part::PointData(array), index, expected, numbers.at(index)))
             }
         }
     }
 
-    /// The data that have no other meaning; provenance stays among those of points for now.
+    /// The data that have no other meaning; provenance stays among those of points where some have
+    /// none.
     fn take_data(&mut self, mesh: &mut Mesh, cells: &Cells) {
-        let is_meant =
-            |data: &Data, names: &[&str]| names.contains(&data.name.as_str()) && is_whole(data);
-        mesh.point_data = std::mem::take(&mut self.point_data);
-        mesh.point_data.retain(|data| !is_meant(data, &[MARKER]));
+        let is_meant = |column: &Column, names: &[&str]| {
+            names.contains(&column.name.as_str()) && column.wholes().is_some()
+        };
+        if let Some((array, numbers)) = whole(&self.point_data, PROVENANCE)
+            && let Some(provenance) = kinds_of_points(numbers.iter())
+        {
+            mesh.provenance = provenance;
+            self.point_data.remove(array);
+        }
+        let all = std::mem::take(&mut self.point_data).into_iter();
+        let kept = all.filter(|column| !is_meant(column, &[MARKER]));
+        mesh.point_data = kept.map(Column::into_data).collect();
         let all = std::mem::take(&mut self.cell_data).into_iter();
-        let kept = all.filter(|data| !is_meant(data, &[PHYSICAL, TAG, SEGMENT]));
-        mesh.triangle_data = kept.map(|data| of_triangles(data, &cells.triangles)).collect();
+        let kept = all.filter(|column| !is_meant(column, &[PHYSICAL, TAG, SEGMENT]));
+        mesh.triangle_data = kept.map(|column| column.into_data_of(&cells.triangles)).collect();
+    }
+}
+
+/// The tags of cells or points; 0 where there are none.
+struct Tags<'a>(Option<&'a Wholes>);
+
+impl<'a> Tags<'a> {
+    fn new(numbers: &'a Wholes, part: Part) -> Result<Self, Wrong> {
+        match numbers.iter().position(|number| Tag::try_from(number).is_err()) {
+            None => Ok(Self(Some(numbers))),
+            Some(index) => Err(wrong(part, index, "a whole number of 32 bits", numbers.at(index))),
+        }
+    }
+
+    fn of(&self, item: usize) -> Tag {
+        self.0.map_or(0, |numbers| numbers.at(item) as Tag)
     }
 }
 
@@ -286,47 +345,36 @@ fn kind_name(kind: i64) -> &'static str {
     }
 }
 
-fn is_whole(data: &Data) -> bool {
-    data.components == 1 && matches!(data.values, Values::Integer(_))
-}
-
 /// An array of one whole number each, by its name: its index and its numbers.
-fn whole<'a>(all: &'a [Data], name: &str) -> Option<(usize, &'a [i64])> {
-    let index = all.iter().position(|data| data.name == name && is_whole(data))?;
-    match &all[index].values {
-        Values::Integer(values) => Some((index, values)),
-        Values::Real(_) => None,
-    }
+fn whole<'a>(all: &'a [Column], name: &str) -> Option<(usize, &'a Wholes)> {
+    let mut named = all.iter().enumerate().filter(|(_, column)| column.name == name);
+    named.find_map(|(index, column)| Some((index, column.wholes()?)))
 }
 
-fn tags(numbers: &[i64], part: Part) -> Result<Vec<Tag>, Wrong> {
-    let tag = |(index, &number): (usize, &i64)| {
-        let expected = "a whole number of 32 bits";
-        Tag::try_from(number).map_err(|_| wrong(part, index, expected, number))
-    };
-    numbers.iter().enumerate().map(tag).collect()
-}
-
-fn of_triangles(data: Data, cells: &[usize]) -> Data {
-    fn pick<T: Copy>(values: &[T], components: usize, cells: &[usize]) -> Vec<T> {
-        let tuple = |&cell: &usize| &values[cell * components..(cell + 1) * components];
-        cells.iter().flat_map(tuple).copied().collect()
-    }
-    let components = data.components;
-    let values = match &data.values {
-        Values::Real(values) => Values::Real(pick(values, components, cells)),
-        Values::Integer(values) => Values::Integer(pick(values, components, cells)),
-    };
-    Data { values, ..data }
+/// The kinds of points that numbers stand for, if all of them stand for one.
+fn kinds_of_points(mut numbers: impl Iterator<Item = i64>) -> Option<Vec<Provenance>> {
+    use Provenance::{Circumcenter, Input, Midpoint, Shell};
+    let kinds = [Input, Shell, Midpoint, Circumcenter];
+    let kind = |number: i64| kinds.get(usize::try_from(number).ok()?).copied();
+    let mut all = Vec::with_capacity(numbers.size_hint().0);
+    numbers.try_for_each(|number| {
+        all.push(kind(number)?);
+        Some(())
+    })?;
+    Some(all)
 }
 
 /// Takes provenance out of the data of points; nodes between corners, which have none, are gone.
 fn take_provenance(mesh: &mut Mesh) {
-    let Some((array, numbers)) = whole(&mesh.point_data, PROVENANCE) else { return };
-    use Provenance::{Circumcenter, Input, Midpoint, Shell};
-    let kinds = [Input, Shell, Midpoint, Circumcenter];
-    let kind = |&number: &i64| kinds.into_iter().find(|&kind| kind as i64 == number);
-    let known: Option<Vec<Provenance>> = numbers.iter().map(kind).collect();
-    mesh.provenance = known.unwrap_or_default();
-    mesh.point_data.remove(array);
+    let numbers = |data: &Data| match &data.values {
+        Values::Integer(numbers) if data.name == PROVENANCE && data.components == 1 => {
+            Some(kinds_of_points(numbers.iter().copied()).unwrap_or_default())
+        }
+        _ => None,
+    };
+    let mut arrays = mesh.point_data.iter().map(numbers).enumerate();
+    if let Some((array, Some(provenance))) = arrays.find(|(_, provenance)| provenance.is_some()) {
+        mesh.provenance = provenance;
+        mesh.point_data.remove(array);
+    }
 }

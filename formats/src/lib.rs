@@ -47,6 +47,7 @@ pub mod vtk;
 mod vtk_xml;
 pub mod vtp;
 pub mod vtu;
+mod wholes;
 pub mod xdmf;
 
 pub use error::{Found, Notice, SyntaxError, Warning};

@@ -30,13 +30,15 @@
 mod coded;
 mod fault;
 mod header;
+mod numbers;
 mod read;
+mod source;
 #[cfg(test)]
 mod tests;
 mod write;
 
 pub use fault::{Fault, ReadError};
-pub use read::read;
+pub use read::{read, read_from};
 pub use write::{write, write_with};
 
 pub use crate::vtk_xml::{Encoding, Options};

@@ -1,7 +1,7 @@
 //! Outlines and meshes from files, compressed files and stdin.
 
-use std::fs;
-use std::io::{self, Read};
+use std::fs::{self, File};
+use std::io::{self, Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
 
 use flate2::read::MultiGzDecoder;
@@ -65,7 +65,7 @@ pub fn any(
     let stdin = path == Path::new("-");
     let name = path.display().to_string();
     let mut files = if stdin { Vec::new() } else { vec![path.to_path_buf()] };
-    let bytes = if stdin { read_stdin()? } else { read_file(path)? };
+    let bytes = || if stdin { read_stdin() } else { read_file(path) };
     let mut companion = |beside: &str| {
         if stdin {
             return Err(io::Error::other("stdin has no file beside it"));
@@ -84,26 +84,30 @@ pub fn any(
         Content::Mesh(mesh)
     };
     let content = match format {
-        Format::Poly => outline(poly::read(&bytes, &name, &mut companion).map_err(Failure::input)?),
-        Format::Node => outline(node::read(&bytes, &name).map_err(Failure::input)?),
+        Format::Poly => {
+            outline(poly::read(&bytes()?, &name, &mut companion).map_err(Failure::input)?)
+        }
+        Format::Node => outline(node::read(&bytes()?, &name).map_err(Failure::input)?),
         Format::Obj => {
             let faces = obj::Options { faces: options.faces };
-            outline(obj::read_with(&bytes, &name, faces).map_err(Failure::input)?)
+            outline(obj::read_with(&bytes()?, &name, faces).map_err(Failure::input)?)
         }
-        Format::Geo => outline(geo::read(&bytes, &name, &mut companion).map_err(Failure::input)?),
-        Format::Msh => mesh(msh::read(&bytes, &name).map_err(Failure::input)?),
-        Format::Ele => {
-            mesh(ele::read_with_companions(&bytes, &name, &mut companion).map_err(Failure::input)?)
+        Format::Geo => {
+            outline(geo::read(&bytes()?, &name, &mut companion).map_err(Failure::input)?)
         }
+        Format::Msh => mesh(msh::read(&bytes()?, &name).map_err(Failure::input)?),
+        Format::Ele => mesh(
+            ele::read_with_companions(&bytes()?, &name, &mut companion).map_err(Failure::input)?,
+        ),
         Format::Area => {
-            let areas = area::read(&bytes, &name).map_err(Failure::input)?;
+            let areas = area::read(&bytes()?, &name).map_err(Failure::input)?;
             outline(refined::beside_areas(areas, &name, &mut companion)?)
         }
-        Format::Vtu => mesh(vtu::read(&bytes, &name).map_err(Failure::input)?),
-        Format::Vtk => mesh(vtk::read(&bytes, &name).map_err(Failure::input)?),
-        Format::Medit => mesh(medit::read(&bytes, &name).map_err(Failure::input)?),
-        Format::Su2 => mesh(su2::read(&bytes, &name).map_err(Failure::input)?),
-        Format::Inp => mesh(inp::read(&bytes, &name).map_err(Failure::input)?),
+        Format::Vtu => mesh(read_vtu(path, &name, bytes)?),
+        Format::Vtk => mesh(vtk::read(&bytes()?, &name).map_err(Failure::input)?),
+        Format::Medit => mesh(medit::read(&bytes()?, &name).map_err(Failure::input)?),
+        Format::Su2 => mesh(su2::read(&bytes()?, &name).map_err(Failure::input)?),
+        Format::Inp => mesh(inp::read(&bytes()?, &name).map_err(Failure::input)?),
         _ => {
             unreachable!("`format_of` refuses formats that are not read")
         }
@@ -119,6 +123,35 @@ pub fn any(
         content => content,
     };
     Ok(Input { content, format, name, files })
+}
+
+/// Reads a `.vtu` file: not as a whole, where it is one that can be read back and forth.
+fn read_vtu(
+    path: &Path,
+    name: &str,
+    bytes: impl FnOnce() -> Result<Vec<u8>, Failure>,
+) -> Result<(Mesh, Vec<Warning>), Failure> {
+    let read = match plain_file(path).map_err(|error| Failure::io(path, &error))? {
+        Some(file) => vtu::read_from(file, name),
+        None => vtu::read_from(Cursor::new(bytes()?), name),
+    };
+    read.map_err(|error| match error.fault {
+        vtu::Fault::Io { .. } => Failure { exit: Exit::Io, message: error.to_string() },
+        _ => Failure::input(error),
+    })
+}
+
+/// A file that is neither stdin nor compressed, nor anything but a file.
+fn plain_file(path: &Path) -> io::Result<Option<File>> {
+    // (What comes through a pipe must not be opened twice.)
+    if path == Path::new("-") || !fs::metadata(path)?.is_file() {
+        return Ok(None);
+    }
+    let mut file = File::open(path)?;
+    let mut start = Vec::new();
+    (&mut file).take(GZIP.len() as u64).read_to_end(&mut start)?;
+    file.rewind()?;
+    Ok((start != GZIP).then_some(file))
 }
 
 fn format_of(path: &Path, from: Option<Format>) -> Result<Format, Failure> {
@@ -173,9 +206,12 @@ fn read_stdin() -> Result<Vec<u8>, Failure> {
     })
 }
 
+/// How gzip files begin.
+const GZIP: [u8; 2] = [0x1f, 0x8b];
+
 /// The bytes of a file, unpacked where they begin as a gzip file does.
 fn uncompressed(bytes: Vec<u8>) -> io::Result<Vec<u8>> {
-    if !bytes.starts_with(&[0x1f, 0x8b]) {
+    if !bytes.starts_with(&GZIP) {
         return Ok(bytes);
     }
     let mut unpacked = Vec::new();

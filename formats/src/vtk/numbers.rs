@@ -77,55 +77,69 @@ impl Kind {
     }
 }
 
+/// Numbers that are handed on at once.
+const BLOCK: usize = 1 << 12;
+
 impl Numbers {
-    /// So many numbers, finite or not.
+    /// Hands on so many numbers, finite or not, block by block.
     pub fn reals(
         self,
         scanner: &mut Scanner,
         kind: Kind,
         count: usize,
-    ) -> Result<Vec<f64>, SyntaxError> {
-        self.read(scanner, kind, count, "a number", parse_any_real, Kind::real)
+        take: impl FnMut(&[f64]),
+    ) -> Result<(), SyntaxError> {
+        self.read(scanner, (kind, count), "a number", (parse_any_real, Kind::real), take)
     }
 
-    /// So many whole numbers.
+    /// Hands on so many whole numbers, block by block.
     pub fn wholes(
         self,
         scanner: &mut Scanner,
         kind: Kind,
         count: usize,
-    ) -> Result<Vec<i64>, SyntaxError> {
-        self.read(scanner, kind, count, "a whole number", parse_integer, Kind::whole)
+        take: impl FnMut(&[i64]),
+    ) -> Result<(), SyntaxError> {
+        self.read(scanner, (kind, count), "a whole number", (parse_integer, Kind::whole), take)
     }
 
     fn read<T>(
         self,
         scanner: &mut Scanner,
-        kind: Kind,
-        count: usize,
+        (kind, count): (Kind, usize),
         what: &'static str,
-        parse: impl Fn(&[u8]) -> Option<T>,
-        decode: impl Fn(Kind, &[u8]) -> T,
-    ) -> Result<Vec<T>, SyntaxError> {
+        (parse, decode): (impl Fn(&[u8]) -> Option<T>, impl Fn(Kind, &[u8]) -> T),
+        mut take: impl FnMut(&[T]),
+    ) -> Result<(), SyntaxError> {
+        let mut numbers = Vec::with_capacity(BLOCK.min(count));
         if self == Self::Binary {
             let bytes = count.checked_mul(kind.size).and_then(|size| scanner.take(size));
             let Some(bytes) = bytes else {
                 return Err(scanner.too_short(format!("{count} numbers of {} bytes", kind.size)));
             };
-            return Ok(bytes.chunks_exact(kind.size).map(|bytes| decode(kind, bytes)).collect());
+            for block in bytes.chunks(BLOCK * kind.size) {
+                numbers.clear();
+                numbers.extend(block.chunks_exact(kind.size).map(|bytes| decode(kind, bytes)));
+                take(&numbers);
+            }
+            return Ok(());
         }
-        let mut numbers = Vec::new();
-        while numbers.len() < count {
+        for index in 0..count {
             scanner.next_line();
             let Some(word) = scanner.word() else {
-                return Err(scanner.missing(format!("number {} of {count}", numbers.len() + 1)));
+                return Err(scanner.missing(format!("number {} of {count}", index + 1)));
             };
             match parse(word.bytes) {
                 Some(number) => numbers.push(number),
                 None => return Err(scanner.unexpected(word, what)),
             }
+            if numbers.len() == BLOCK {
+                take(&numbers);
+                numbers.clear();
+            }
         }
-        Ok(numbers)
+        take(&numbers);
+        Ok(())
     }
 }
 

@@ -17,12 +17,14 @@
 
 use super::numbers::{Kind, Numbers};
 use super::place::{Layout, Places};
+use crate::arrays::Block;
 use crate::error::{Notice, SyntaxError, Warning};
 use crate::file_error::FileError;
-use crate::grid::{Grid, Part};
-use crate::mesh::{Data, Mesh, Values};
+use crate::grid::{self, Column, Grid, Part, Points};
+use crate::mesh::Mesh;
 use crate::node::MOST;
 use crate::text::{Scanner, Word};
+use crate::wholes::Wholes;
 
 /// Reads a `.vtk` file into the mesh in it; arrays mean what they do in [`vtu`](crate::vtu).
 ///
@@ -166,7 +168,8 @@ impl Reader {
         let kind = Kind::read(scanner)?;
         let start = self.places.begin(scanner)?;
         self.places.keep(Part::Points, start, kind, 0, Layout::Plain);
-        self.grid.points = self.numbers.reals(scanner, kind, 3 * count)?;
+        self.grid.points = Points::with_capacity(count.min(scanner.left() / 3));
+        self.numbers.reals(scanner, kind, 3 * count, |block| self.grid.points.extend(block))?;
         self.points = Some(count);
         Ok(())
     }
@@ -176,16 +179,14 @@ impl Reader {
         let cells = scanner.integer("the number of cells", 0, MOST)? as usize;
         let place = scanner.next_place();
         let numbers = scanner.integer("how many numbers follow", 0, MOST)? as usize;
-        let before = self.grid.nodes.len() as i64;
-        let first = self.grid.ends.len();
         if self.version >= 5 {
             self.offsets_and_nodes(scanner, cells, numbers)?;
         } else {
             self.counts_and_nodes(scanner, cells, (numbers, place))?;
         }
-        self.grid.ends[first..].iter_mut().for_each(|end| *end = end.saturating_add(before));
         if let Some(kind) = kind {
-            self.grid.kinds.resize(self.grid.ends.len(), kind);
+            let more = self.grid.ends.len() - self.grid.kinds.len();
+            self.grid.kinds.extend(&vec![kind; more]);
         }
         Ok(())
     }
@@ -200,17 +201,20 @@ impl Reader {
         keyword(scanner, "OFFSETS", "OFFSETS")?;
         let kind = Kind::read(scanner)?;
         let start = self.places.begin(scanner)?;
-        let first = self.grid.ends.len();
-        self.places.keep(Part::Ends, start, kind, first, Layout::BehindFirst);
-        let offsets = self.numbers.wholes(scanner, kind, ends)?;
-        self.grid.ends.extend(offsets.iter().skip(1));
+        self.places.keep(Part::Ends, start, kind, self.grid.ends.len(), Layout::BehindFirst);
+        let before = self.grid.nodes.len() as i64;
+        let mut is_first = true;
+        self.numbers.wholes(scanner, kind, ends, |offsets| {
+            let behind_first = &offsets[usize::from(std::mem::take(&mut is_first))..];
+            let moved = behind_first.iter().map(|end| end.saturating_add(before));
+            self.grid.ends.extend(&moved.collect::<Vec<_>>());
+        })?;
         scanner.next_line();
         keyword(scanner, "CONNECTIVITY", "CONNECTIVITY")?;
         let kind = Kind::read(scanner)?;
         let start = self.places.begin(scanner)?;
         self.places.keep(Part::Nodes, start, kind, self.grid.nodes.len(), Layout::Plain);
-        self.grid.nodes.extend(self.numbers.wholes(scanner, kind, nodes)?);
-        Ok(())
+        self.numbers.wholes(scanner, kind, nodes, |block| self.grid.nodes.extend(block))
     }
 
     fn counts_and_nodes(
@@ -223,40 +227,43 @@ impl Reader {
         let first = self.grid.nodes.len();
         let layout = Layout::Counted { first_cell: self.grid.ends.len() };
         self.places.keep(Part::Nodes, start, Kind::INT, first, layout);
-        let numbers = self.numbers.wholes(scanner, Kind::INT, numbers)?;
-        let mut rest = numbers.as_slice();
+        let mut counted = Wholes::with_capacity(numbers.min(scanner.left()));
+        self.numbers.wholes(scanner, Kind::INT, numbers, |block| counted.extend(block))?;
+        let (mut next, mut nodes) = (0, Vec::new());
         for _ in 0..cells {
-            let nodes = rest
-                .split_first()
-                .and_then(|(&count, after)| after.split_at_checked(usize::try_from(count).ok()?));
-            let Some((nodes, after)) = nodes else {
+            let count = (next < numbers).then(|| usize::try_from(counted.at(next)).ok()).flatten();
+            let Some(count) = count.filter(|&count| count < numbers - next) else {
                 let expected =
                     format!("{cells} cells, each with the number of its nodes before them");
-                return Err(scanner.unexpected_number(place, expected, numbers.len()));
+                return Err(scanner.unexpected_number(place, expected, numbers));
             };
-            self.grid.nodes.extend(nodes);
-            self.grid.ends.push((self.grid.nodes.len() - first) as i64);
-            rest = after;
+            let end = next + 1 + count;
+            nodes.clear();
+            nodes.extend((next + 1..end).map(|index| counted.at(index)));
+            self.grid.nodes.extend(&nodes);
+            self.grid.ends.extend(&[self.grid.nodes.len() as i64]);
+            next = end;
         }
-        if rest.is_empty() {
+        if next == numbers {
             return Ok(());
         }
-        let expected = format!("{} numbers for {cells} cells", numbers.len() - rest.len());
-        Err(scanner.unexpected_number(place, expected, numbers.len()))
+        let expected = format!("{next} numbers for {cells} cells");
+        Err(scanner.unexpected_number(place, expected, numbers))
     }
 
     fn kinds(&mut self, scanner: &mut Scanner) -> Result<(), SyntaxError> {
         let count = scanner.integer("the number of cells", 0, MOST)? as usize;
         let start = self.places.begin(scanner)?;
         self.places.keep(Part::Kinds, start, Kind::INT, 0, Layout::Plain);
-        self.grid.kinds = self.numbers.wholes(scanner, Kind::INT, count)?;
+        self.grid.kinds = Wholes::with_capacity(count.min(scanner.left()));
+        self.numbers.wholes(scanner, Kind::INT, count, |block| self.grid.kinds.extend(block))?;
         self.has_kinds = true;
         Ok(())
     }
 
     fn begin_attributes(&mut self, scanner: &mut Scanner, of: Of) -> Result<(), SyntaxError> {
         let (what, known) = match of {
-            Of::Points => ("the number of points", self.grid.points.len() / 3),
+            Of::Points => ("the number of points", self.grid.points.len()),
             Of::Cells => ("the number of cells", self.grid.ends.len()),
         };
         let known = known as i64;
@@ -324,12 +331,13 @@ impl Reader {
             self.places.keep(part, start, kind, 0, Layout::Plain);
         }
         let count = components * tuples;
-        let values = if kind.is_real() {
-            Values::Real(self.numbers.reals(scanner, kind, count)?)
+        let mut numbers = grid::Numbers::with_capacity(kind.is_real(), count.min(scanner.left()));
+        if kind.is_real() {
+            self.numbers.reals(scanner, kind, count, |b| numbers.extend(Block::Real(b)))?;
         } else {
-            Values::Integer(self.numbers.wholes(scanner, kind, count)?)
-        };
-        all.push(Data { name, components, values });
+            self.numbers.wholes(scanner, kind, count, |b| numbers.extend(Block::Whole(b)))?;
+        }
+        all.push(Column { name, components, numbers });
         Ok(())
     }
 
@@ -396,7 +404,7 @@ impl Reader {
         self.skip(name);
         let kind = if self.numbers == Numbers::Text { Kind::FLOAT } else { Kind::BYTE };
         self.places.begin(scanner)?;
-        self.numbers.reals(scanner, kind, count).map(|_| ())
+        self.numbers.reals(scanner, kind, count, |_| {})
     }
 
     fn skip(&mut self, name: &str) {

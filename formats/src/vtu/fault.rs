@@ -83,4 +83,18 @@ pub enum Fault {
         /// What it is.
         found: String,
     },
+    /// The file could not be read on.
+    #[error("{message}")]
+    Io {
+        /// What happened.
+        kind: std::io::ErrorKind,
+        /// What the system says.
+        message: String,
+    },
+}
+
+impl From<std::io::Error> for Fault {
+    fn from(error: std::io::Error) -> Self {
+        Self::Io { kind: error.kind(), message: error.to_string() }
+    }
 }

@@ -16,6 +16,13 @@ pub(super) struct Description {
     pub content: Content,
 }
 
+impl Description {
+    /// Whether its numbers are real.
+    pub fn is_real(&self) -> bool {
+        self.kind.starts_with("Float")
+    }
+}
+
 /// Where the numbers of an array stand, and how.
 #[derive(Clone)]
 pub(super) enum Content {

@@ -1,3 +1,4 @@
+use super::super::source::find;
 use super::*;
 use crate::mesh::Provenance;
 
@@ -112,4 +113,42 @@ fn base64_and_zlib_that_mean_nothing_name_their_array() {
     assert!(found.contains("expected compressed blocks of the announced size, found"), "{found}");
     let found = inline("/////wwAAAAAAAAABAAAAA==AAAAAA==", zlib);
     assert!(found.contains("of its data, which have"), "a billion blocks: {found}");
+}
+
+/// A file of which the system refuses what lies behind its first bytes, but for the end.
+struct Refused {
+    bytes: Cursor<Vec<u8>>,
+    readable: u64,
+}
+
+impl Read for Refused {
+    fn read(&mut self, bytes: &mut [u8]) -> std::io::Result<usize> {
+        let at = self.bytes.position();
+        let last = self.bytes.get_ref().len() as u64 - 20;
+        if at >= last {
+            return self.bytes.read(bytes);
+        }
+        match self.readable.saturating_sub(at) {
+            0 => Err(std::io::Error::other("the disk is gone")),
+            left => self.bytes.by_ref().take(left).read(bytes),
+        }
+    }
+}
+
+impl Seek for Refused {
+    fn seek(&mut self, to: std::io::SeekFrom) -> std::io::Result<u64> {
+        self.bytes.seek(to)
+    }
+}
+
+#[test]
+fn what_the_system_says_is_said() {
+    let bytes = file();
+    let data = find(&bytes, b"_\x01").expect("the appended data begin") as u64;
+    for readable in [0, 100, data + 40] {
+        let refused = Refused { bytes: Cursor::new(bytes.clone()), readable };
+        let error = read_from(refused, "a.vtu").expect_err("the disk is gone");
+        assert_eq!(error.to_string(), "a.vtu: the disk is gone");
+        assert!(matches!(error.fault, Fault::Io { kind: std::io::ErrorKind::Other, .. }));
+    }
 }
