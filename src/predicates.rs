@@ -88,6 +88,17 @@ impl Relative {
     }
 }
 
+/// Whether the point from which three counter-clockwise corners are seen lies strictly inside their
+/// circle; `None` where rounding leaves that open, for [`in_circle_exactly`] to answer.
+#[inline(always)]
+#[must_use]
+pub fn surely_in_circle([a, b, c]: [Relative; 3]) -> Option<bool> {
+    let determinant = a.squared * b.cross(c) + b.squared * c.cross(a) + c.squared * a.cross(b);
+    // The bound of DESIGN, *Kernel*: 10 ε times the sum of the products of squared lengths.
+    let size = a.squared * b.squared + b.squared * c.squared + c.squared * a.squared;
+    (determinant.abs() > 1.12e-15 * size).then_some(determinant > 0.0)
+}
+
 /// Whether `p` lies strictly inside the circle through three counter-clockwise `corners`, which
 /// stand in `seen` as seen from `p`. Only where rounding leaves that open are they asked for.
 #[inline]
@@ -97,42 +108,35 @@ pub fn in_circle(
     corners: impl FnOnce() -> [[f64; 2]; 3],
     p: [f64; 2],
 ) -> bool {
-    let [a, b, c] = seen;
-    let determinant = a.squared * b.cross(c) + b.squared * c.cross(a) + c.squared * a.cross(b);
-    // The bound of DESIGN, *Kernel*: 10 ε times the sum of the products of squared lengths.
-    let size = a.squared * b.squared + b.squared * c.squared + c.squared * a.squared;
-    if determinant.abs() > 1.12e-15 * size {
-        return determinant > 0.0;
-    }
-    is_in_circle_exactly(corners(), p)
+    surely_in_circle(seen).unwrap_or_else(|| in_circle_exactly(corners(), p))
 }
 
+/// Whether `p` lies strictly inside the circle through three counter-clockwise `corners`.
 #[cold]
 #[inline(never)]
-fn is_in_circle_exactly(corners: [[f64; 2]; 3], p: [f64; 2]) -> bool {
+#[must_use]
+pub fn in_circle_exactly(corners: [[f64; 2]; 3], p: [f64; 2]) -> bool {
     count_exact();
     let [a, b, c] = corners.map(coord);
     robust::incircle(a, b, c, coord(p)) > 0.0
 }
 
-/// Whether `p`, the point from which `a` and `b` are `seen`, lies strictly to the left of the
-/// directed line from `a` to `b` (`ends`, asked for where rounding leaves it open).
-#[inline]
+/// Whether the point from which `a` and `b` are seen lies strictly to the left of the directed line
+/// from `a` to `b`; `None` where rounding leaves that open, for [`left_exactly`] to answer.
+#[inline(always)]
 #[must_use]
-pub fn sees_left(seen: [Relative; 2], ends: impl FnOnce() -> [[f64; 2]; 2], p: [f64; 2]) -> bool {
-    let [a, b] = seen;
+pub fn surely_left([a, b]: [Relative; 2]) -> Option<bool> {
     let (plus, minus) = (a.x * b.y, a.y * b.x);
     let cross = plus - minus;
     // Shewchuk's bound A for orientation: (3 + 16 ε) ε.
-    if cross.abs() > 3.331e-16 * (plus.abs() + minus.abs()) {
-        return cross > 0.0;
-    }
-    is_left_exactly(ends(), p)
+    (cross.abs() > 3.331e-16 * (plus.abs() + minus.abs())).then_some(cross > 0.0)
 }
 
+/// Whether `p` lies strictly to the left of the directed line from `a` to `b`.
 #[cold]
 #[inline(never)]
-fn is_left_exactly([a, b]: [[f64; 2]; 2], p: [f64; 2]) -> bool {
+#[must_use]
+pub fn left_exactly([a, b]: [[f64; 2]; 2], p: [f64; 2]) -> bool {
     count_exact();
     side(a, b, p) == Side::Left
 }

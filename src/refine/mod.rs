@@ -96,6 +96,8 @@ pub struct Refinement<'a> {
     order: Order,
     /// Whether every angle below κ̂ that is not excused is bad, and the shortest edge comes first.
     is_plain: bool,
+    /// Whether any triangle may be bad for its size.
+    is_sized: bool,
     queue: Queue,
     pending: VecDeque<([u32; 2], Cause)>,
     cavity: Cavity,
@@ -213,6 +215,7 @@ impl<'a> Refinement<'a> {
             provenances: Provenances::of_inputs(domain.points.len(), mesh.points.len()),
             mesh,
             segments,
+            is_sized: sizing.has_bounds() || sizes.is_some(),
             refused: Refused::default(),
             counters: Counters::default(),
             listener: Listener::default(),
@@ -481,8 +484,8 @@ impl<'a> Refinement<'a> {
 
     /// Queues the bad ones of the triangles that were just made.
     fn queue_bad_of_star(&mut self) {
-        for i in 0..self.cavity.boundary.len() {
-            self.queue_at_a_glance(self.cavity.star[i], self.cavity.boundary[i].seen);
+        for i in 0..self.cavity.size() {
+            self.queue_at_a_glance(self.cavity.star[i], self.cavity.seen(i));
         }
     }
 
@@ -490,13 +493,14 @@ impl<'a> Refinement<'a> {
     /// where a glance does not tell.
     #[inline]
     fn queue_at_a_glance(&mut self, slot: u32, [a, b]: [Relative; 2]) {
-        if self.mesh.is_outside_the_region(slot) {
+        let look = quality::look(a, b, self.target());
+        if (look == Look::Fine && !self.is_sized) || self.mesh.is_outside_the_region(slot) {
             return;
         }
         let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
         let may_be_too_large =
             || self.sizing.may_be_too_large(a, b, region) || self.sizes.is_some();
-        let squared = match quality::look(a, b, self.target()) {
+        let squared = match look {
             Look::Fine if self.sizing.is_surely_too_large(a, b, region) => {
                 quality::squared_edges(a, b).into_iter().reduce(f64::min)
             }

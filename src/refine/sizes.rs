@@ -148,7 +148,7 @@ impl Refinement<'_> {
     pub(super) fn size_new_vertex(&mut self) {
         let Some(mut sizes) = self.sizes.take() else { return };
         let vertex = self.mesh.points.len() as u32 - 1;
-        let near = self.cavity.boundary[0].ends[0] as usize;
+        let near = self.cavity.sides().next().map_or(0, |side| side.ends[0] as usize);
         sizes.background.slot = sizes.slots.get(near).map_or(0, |&slot| slot as usize);
         let weights = self.weights(vertex, &mut sizes.background);
         let on_segment = self.provenances.segment_point(vertex).is_some();

@@ -393,7 +393,7 @@ mod tests {
             let too_large = look.may_be_too_large().is_some_and(|is_so| is_so([a, b]));
             quality::may_be_small(a, b, look.target()) || too_large
         };
-        let made = cavity.boundary.iter().filter(|side| is_bad(side.seen)).count() as u32;
+        let made = cavity.sides().filter(|side| is_bad(side.seen)).count() as u32;
         let removed = cavity.star.iter().filter(|&&slot| look.is_bad(slot)).count() as u32;
         let is_allowed = cavity.nearest_squared() >= nearest
             && cavity.encroached(mesh).next().is_none()

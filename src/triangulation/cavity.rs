@@ -7,6 +7,7 @@
 use super::insertion::{beyond_hull, ghost_corner};
 use super::{Edge, OUTSIDE_THE_REGION, Triangle, Triangulation};
 use crate::corners::{each, next, previous};
+use crate::order::lesser;
 use crate::predicates::{self, Relative};
 
 /// Why a point is not committed: rounding has the last word there (ALGORITHM §9).
@@ -56,6 +57,89 @@ impl BoundaryEdge {
     }
 }
 
+/// A vertex by its index and as seen from the new point.
+#[derive(Debug, Clone, Copy)]
+struct Vertex {
+    index: u32,
+    seen: Relative,
+}
+
+/// A corner of a cavity's boundary, where an edge ends and the next one starts.
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    vertex: u32,
+    /// What is behind the edge that ends here.
+    behind: Edge,
+    seen: Relative,
+}
+
+impl Corner {
+    #[inline(always)]
+    fn at(Vertex { index, seen }: Vertex, behind: Edge) -> Self {
+        Self { vertex: index, behind, seen }
+    }
+}
+
+/// An edge that a growing cavity has come to, which starts where its boundary ends so far. Vertices
+/// are told by their places among those met.
+#[derive(Debug, Clone, Copy)]
+struct Front {
+    end: u32,
+    behind: Edge,
+    /// The vertex opposite in the triangle behind, if that goes; else [`STAYS`].
+    apex: u32,
+}
+
+/// No place: the triangle stays.
+const STAYS: u32 = u32::MAX;
+
+/// Which triangles a cavity takes in.
+trait Rule {
+    /// Whether a triangle goes, by its corners.
+    fn goes(&self, mesh: &Triangulation, corners: [Vertex; 3], point: [f64; 2]) -> bool;
+}
+
+/// Those whose circumcircle holds the point.
+struct Delaunay;
+
+impl Rule for Delaunay {
+    #[inline(always)]
+    fn goes(&self, mesh: &Triangulation, corners: [Vertex; 3], point: [f64; 2]) -> bool {
+        match predicates::surely_in_circle(each(corners, |corner| corner.seen)) {
+            Some(is_inside) => is_inside,
+            None => mesh.is_in_circle(each(corners, |corner| corner.index), point),
+        }
+    }
+}
+
+/// The same, where ghosts stand behind the hull: their circumcircle is the half-plane beyond.
+struct WithGhosts;
+
+impl Rule for WithGhosts {
+    #[inline(always)]
+    fn goes(&self, mesh: &Triangulation, corners: [Vertex; 3], point: [f64; 2]) -> bool {
+        let vertices = each(corners, |corner| corner.index);
+        match ghost_corner(vertices) {
+            None => Delaunay.goes(mesh, corners, point),
+            Some(i) => {
+                let ends = [vertices[next(i)], vertices[previous(i)]];
+                beyond_hull(ends.map(|v| mesh.points[v as usize]), point)
+            }
+        }
+    }
+}
+
+/// The same, but triangles stay that have two corners on the segment that is split.
+struct BesideSegment<F>(F);
+
+impl<F: Fn(u32) -> bool> Rule for BesideSegment<F> {
+    #[inline(always)]
+    fn goes(&self, mesh: &Triangulation, corners: [Vertex; 3], point: [f64; 2]) -> bool {
+        corners.iter().filter(|corner| self.0(corner.index)).count() < 2
+            && Delaunay.goes(mesh, corners, point)
+    }
+}
+
 /// Where the two sides of a split subsegment meet in the star of its new point.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Joint {
@@ -80,8 +164,10 @@ impl Joint {
 pub struct Cavity {
     /// The new point.
     pub point: [f64; 2],
-    /// The boundary, counter-clockwise.
-    pub boundary: Vec<BoundaryEdge>,
+    /// The boundary, counter-clockwise; the first corner is where its first edge starts.
+    boundary: Vec<Corner>,
+    /// The vertices met, some of them twice.
+    vertices: Vec<Vertex>,
     /// The triangles that die; after the commit, the new ones, one per boundary edge.
     pub star: Vec<u32>,
     /// Of a split subsegment: where the second side's boundary starts (its length if there is none).
@@ -89,8 +175,8 @@ pub struct Cavity {
     /// Whether any edge of the boundary is constrained.
     is_constrained: bool,
     regions: [u32; 2],
-    /// Edges still to be looked across.
-    stack: Vec<BoundaryEdge>,
+    /// Edges still to be followed.
+    fronts: Vec<Front>,
 }
 
 impl Cavity {
@@ -105,13 +191,12 @@ impl Cavity {
         root: u32,
     ) -> Result<(), Rejected> {
         self.clear(point);
-        let corners = mesh.corners(root);
-        let seen = each(corners, |corner| Relative::of(corner, point));
-        if !predicates::in_circle(seen, || corners, point) {
+        let corners = each(mesh.triangles[root as usize].vertices, |v| self.vertex(mesh, v));
+        if !Delaunay.goes(mesh, corners, point) {
             return Err(Rejected::OutsideItsDisc);
         }
-        self.begin_with(mesh, root, seen);
-        self.grow(mesh, |seen, vertices| in_circle(mesh, seen, vertices, point))?;
+        self.regions = [region(mesh, root); 2];
+        self.grow(mesh, root, [0, 1, 2], &Delaunay)?;
         self.expect_polygon(2)
     }
 
@@ -124,15 +209,7 @@ impl Cavity {
         root: u32,
     ) -> Result<(), Rejected> {
         self.clear(point);
-        let seen = each(mesh.corners(root), |corner| Relative::of(corner, point));
-        self.begin_with(mesh, root, seen);
-        self.grow(mesh, |seen, vertices| match ghost_corner(vertices) {
-            None => in_circle(mesh, seen, vertices, point),
-            Some(i) => {
-                let ends = [vertices[next(i)], vertices[previous(i)]];
-                beyond_hull(ends.map(|v| mesh.points[v as usize]), point)
-            }
-        })?;
+        self.grow(mesh, root, [0, 1, 2], &WithGhosts)?;
         self.expect_polygon(2)
     }
 
@@ -152,101 +229,128 @@ impl Cavity {
         on_segment: impl Fn(u32) -> bool,
     ) -> Result<(), Rejected> {
         self.clear(point);
-        let stays = |vertices: [u32; 3]| vertices.iter().filter(|&&v| on_segment(v)).count() >= 2;
-        self.grow_side(mesh, edge, stays)?;
-        let second_side = self.boundary.len();
-        self.second_side = Some(second_side);
+        let rule = BesideSegment(on_segment);
+        let beside = |edge: Edge| [next(edge.index()), previous(edge.index())];
+        self.grow(mesh, edge.triangle(), beside(edge), &rule)?;
+        self.second_side = Some(self.size());
         self.regions = [region(mesh, edge.triangle()); 2];
         let behind = mesh.behind(edge);
         if behind.is_outside() {
             return self.expect_polygon(1);
         }
         self.regions[1] = region(mesh, behind.triangle());
-        self.grow_side(mesh, behind, stays)?;
+        self.grow(mesh, behind.triangle(), beside(behind), &rule)?;
         self.expect_polygon(2)
-    }
-
-    /// Takes in the first triangle, whose corners are `seen` from the point.
-    fn begin_with(&mut self, mesh: &Triangulation, root: u32, seen: [Relative; 3]) {
-        self.star.push(root);
-        self.regions = [region(mesh, root); 2];
-        for i in [2, 1, 0] {
-            self.visit_later(mesh, root, i, seen);
-        }
     }
 
     fn clear(&mut self, point: [f64; 2]) {
         self.point = point;
         self.boundary.clear();
+        self.vertices.clear();
         self.star.clear();
-        self.stack.clear();
+        self.fronts.clear();
         self.second_side = None;
         self.is_constrained = false;
     }
 
-    /// Grows from the triangle to the left of `edge`, away from it.
-    fn grow_side(
-        &mut self,
-        mesh: &Triangulation,
-        edge: Edge,
-        stays: impl Fn([u32; 3]) -> bool,
-    ) -> Result<(), Rejected> {
-        let (root, point) = (edge.triangle(), self.point);
-        let seen = each(mesh.corners(root), |corner| Relative::of(corner, point));
-        self.star.push(root);
-        self.visit_later(mesh, root, previous(edge.index()), seen);
-        self.visit_later(mesh, root, next(edge.index()), seen);
-        self.grow(mesh, |seen, vertices| !stays(vertices) && in_circle(mesh, seen, vertices, point))
-    }
-
-    fn visit_later(&mut self, mesh: &Triangulation, triangle: u32, i: usize, seen: [Relative; 3]) {
-        self.stack.push(BoundaryEdge::of(&mesh.triangles[triangle as usize], i, seen));
-    }
-
-    /// Takes in every triangle that `goes` (asked with its corners, as seen and by their numbers)
-    /// and that is reached without crossing a subsegment.
+    /// Takes in the first triangle on a side: the boundary is to go along these edges of it. Returns
+    /// the place of the vertex where it starts.
     #[inline(always)]
-    fn grow(
+    fn take_root<const N: usize>(
         &mut self,
         mesh: &Triangulation,
-        goes: impl Fn([Relative; 3], [u32; 3]) -> bool,
+        root: u32,
+        edges: [usize; N],
+        rule: &impl Rule,
+    ) -> u32 {
+        let triangle = &mesh.triangles[root as usize];
+        let first = self.vertices.len() as u32;
+        self.vertices.extend(each(triangle.vertices, |v| self.vertex(mesh, v)));
+        let place = |corner: usize| first + corner as u32;
+        let start = place(next(edges[0]));
+        if self.boundary.is_empty() {
+            self.boundary.push(Corner::at(self.vertices[start as usize], Edge::OUTSIDE));
+        }
+        self.star.push(root);
+        for i in edges.into_iter().rev() {
+            let ends = [place(next(i)), place(previous(i))];
+            let behind = triangle.neighbors[i];
+            let front = self.front(mesh, ends, behind, self.beyond(mesh, behind), rule);
+            self.fronts.push(front);
+        }
+        start
+    }
+
+    /// Takes in every triangle that goes by the rule and that is reached without crossing a
+    /// subsegment.
+    ///
+    /// What is behind both edges of a triangle that goes is looked at together: so the one need not
+    /// wait for the other.
+    #[inline(always)]
+    fn grow<const N: usize>(
+        &mut self,
+        mesh: &Triangulation,
+        root: u32,
+        edges: [usize; N],
+        rule: &impl Rule,
     ) -> Result<(), Rejected> {
-        while let Some(mut side) = self.stack.pop() {
-            while let Some([first, second]) = self.edges_beyond(mesh, side, &goes) {
-                self.star.push(side.behind.triangle());
+        let mut start = self.take_root(mesh, root, edges, rule);
+        while let Some(mut front) = self.fronts.pop() {
+            while front.apex != STAYS {
+                let Front { end, behind, apex } = front;
+                self.star.push(behind.triangle());
                 if self.star.len() > mesh.triangles.len() {
                     return Err(Rejected::Malformed);
                 }
-                self.stack.push(second);
-                side = first;
+                let neighbors = &mesh.triangles[behind.triangle() as usize].neighbors;
+                let [first, second] =
+                    [next(behind.index()), previous(behind.index())].map(|i| neighbors[i]);
+                let beyond = [self.beyond(mesh, first), self.beyond(mesh, second)];
+                let second = self.front(mesh, [apex, end], second, beyond[1], rule);
+                front = self.front(mesh, [start, apex], first, beyond[0], rule);
+                self.fronts.push(second);
             }
-            self.is_constrained |= side.behind.is_constrained();
-            self.boundary.push(side);
+            let Front { end, behind, .. } = front;
+            self.is_constrained |= behind.is_constrained();
+            self.boundary.push(Corner::at(self.vertices[end as usize], behind));
+            start = end;
         }
         Ok(())
     }
 
-    /// The other two edges of the triangle behind `side`, counter-clockwise, if that goes.
+    /// The edge between two of the vertices met, and whether what is behind it goes.
     #[inline(always)]
-    fn edges_beyond(
-        &self,
+    fn front(
+        &mut self,
         mesh: &Triangulation,
-        side: BoundaryEdge,
-        goes: impl Fn([Relative; 3], [u32; 3]) -> bool,
-    ) -> Option<[BoundaryEdge; 2]> {
-        if side.behind.is_constrained() {
-            return None;
-        }
-        let [first, second] = side.beyond(mesh, self.point);
-        let ([a, b], [seen_a, seen_b]) = (side.ends, side.seen);
-        let ([_, apex], [_, seen]) = (first.ends, first.seen);
-        goes([seen_b, seen_a, seen], [b, a, apex]).then_some([first, second])
+        [start, end]: [u32; 2],
+        behind: Edge,
+        apex: Option<Vertex>,
+        rule: &impl Rule,
+    ) -> Front {
+        let Some(apex) = apex else { return Front { end, behind, apex: STAYS } };
+        let corners = [self.vertices[end as usize], self.vertices[start as usize], apex];
+        let goes = rule.goes(mesh, corners, self.point);
+        let place = self.vertices.len() as u32;
+        self.vertices.push(apex);
+        Front { end, behind, apex: if goes { place } else { STAYS } }
+    }
+
+    /// The vertex opposite in the triangle behind, if the edge may be crossed.
+    #[inline(always)]
+    fn beyond(&self, mesh: &Triangulation, behind: Edge) -> Option<Vertex> {
+        (!behind.is_constrained()).then(|| self.vertex(mesh, mesh.apex(behind)))
+    }
+
+    #[inline(always)]
+    fn vertex(&self, mesh: &Triangulation, index: u32) -> Vertex {
+        Vertex { index, seen: Relative::of(mesh.points[index as usize], self.point) }
     }
 
     /// k triangles that share no vertex inside and leave none out have `more` + k edges around
     /// them: anything else is no cavity that a star can fill.
     fn expect_polygon(&self, more: usize) -> Result<(), Rejected> {
-        let fits = self.boundary.len() == self.star.len() + more;
+        let fits = self.size() == self.star.len() + more;
         if fits { Ok(()) } else { Err(Rejected::Malformed) }
     }
 
@@ -255,18 +359,36 @@ impl Cavity {
     /// # Errors
     /// [`Rejected::Unseen`].
     pub fn expect_visible(&self, mesh: &Triangulation) -> Result<(), Rejected> {
-        let visible = self.boundary.iter().all(|side| {
-            let ends = || side.ends.map(|v| mesh.points[v as usize]);
-            predicates::sees_left(side.seen, ends, self.point)
-        });
+        let visible = self.sides().all(|side| mesh.is_left(side.ends, side.seen, self.point));
         if visible { Ok(()) } else { Err(Rejected::Unseen) }
     }
 
+    /// How many edges the boundary has.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.boundary.len().saturating_sub(1)
+    }
+
+    /// The edges of the boundary, counter-clockwise.
+    pub fn sides(&self) -> impl ExactSizeIterator<Item = BoundaryEdge> + '_ {
+        self.boundary.windows(2).map(|ends| BoundaryEdge {
+            ends: [ends[0].vertex, ends[1].vertex],
+            behind: ends[1].behind,
+            seen: [ends[0].seen, ends[1].seen],
+        })
+    }
+
+    /// The ends of edge `i` of the boundary as seen from the point.
+    #[inline]
+    #[must_use]
+    pub fn seen(&self, i: usize) -> [Relative; 2] {
+        [self.boundary[i].seen, self.boundary[i + 1].seen]
+    }
+
     /// The subsegments on the boundary.
-    pub fn subsegments(&self) -> impl Iterator<Item = &BoundaryEdge> + '_ {
-        let sides = if self.is_constrained { &self.boundary[..] } else { &[] };
-        let sides = sides.iter().enumerate();
-        let subsegments = sides.filter(|(i, side)| {
+    pub fn subsegments(&self) -> impl Iterator<Item = BoundaryEdge> + '_ {
+        let sides = self.is_constrained.then(|| self.sides().enumerate());
+        let subsegments = sides.into_iter().flatten().filter(|(i, side)| {
             // With nothing on either side it is an edge of the hull only.
             let is_open = || side.behind.is_outside() && self.region(*i) == OUTSIDE_THE_REGION;
             side.behind.is_constrained() && !is_open()
@@ -278,7 +400,7 @@ impl Cavity {
     pub fn encroached<'a>(
         &'a self,
         mesh: &'a Triangulation,
-    ) -> impl Iterator<Item = &'a BoundaryEdge> + 'a {
+    ) -> impl Iterator<Item = BoundaryEdge> + 'a {
         let point = self.point;
         self.subsegments().filter(move |side| {
             let ends = side.ends.map(|v| mesh.points[v as usize]);
@@ -289,7 +411,7 @@ impl Cavity {
     /// The squared distance to the nearest vertex (all nearest ones are on the boundary).
     #[must_use]
     pub fn nearest_squared(&self) -> f64 {
-        self.boundary.iter().map(|side| side.seen[0].squared).fold(f64::INFINITY, f64::min)
+        self.boundary.iter().map(|corner| corner.seen.squared).fold(f64::INFINITY, lesser)
     }
 
     /// Whether any edge of the boundary is constrained.
@@ -307,8 +429,9 @@ impl Cavity {
     /// The joint of a split between boundary edge `i − 1` and edge `i`, if there is one.
     pub(super) fn joint_before(&self, i: usize) -> Option<Joint> {
         let second_side = self.second_side?;
-        let one_sided = second_side == self.boundary.len();
-        if i == 0 || i == self.boundary.len() {
+        let count = self.size();
+        let one_sided = second_side == count;
+        if i == 0 || i == count {
             Some(if one_sided { Joint::Boundary } else { Joint::Inside })
         } else if i == second_side {
             Some(Joint::Inside)
@@ -319,7 +442,7 @@ impl Cavity {
 
     /// The halves of a split subsegment as edges of the new triangles, each once for each side.
     pub fn halves(&self) -> impl Iterator<Item = Edge> + '_ {
-        (0..self.boundary.len()).flat_map(move |i| {
+        (0..self.size()).flat_map(move |i| {
             let before = self.joint_before(i).map(|_| Edge::new(self.star[i], 2));
             let after = self.joint_before(i + 1).map(|_| Edge::new(self.star[i], 1));
             before.into_iter().chain(after).map(|edge| edge.constrained_if(true))
@@ -332,12 +455,6 @@ impl Cavity {
     pub fn region(&self, i: usize) -> u32 {
         self.regions[usize::from(self.second_side.is_some_and(|second| i >= second))]
     }
-}
-
-/// Whether `point` lies strictly in the circle of a triangle of the mesh.
-#[inline(always)]
-fn in_circle(mesh: &Triangulation, seen: [Relative; 3], vertices: [u32; 3], p: [f64; 2]) -> bool {
-    predicates::in_circle(seen, || each(vertices, |v| mesh.points[v as usize]), p)
 }
 
 fn region(mesh: &Triangulation, triangle: u32) -> u32 {

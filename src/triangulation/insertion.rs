@@ -7,7 +7,7 @@
 use super::cavity::BoundaryEdge;
 use super::{Cavity, Edge, Rejected, Triangle, Triangulation};
 use crate::corners::{each, next, previous};
-use crate::predicates::{Relative, Side, sees_left, side};
+use crate::predicates::{Relative, Side, side};
 
 /// The vertex of ghosts; its coordinates mean nothing.
 pub(super) const GHOST: u32 = 0;
@@ -122,8 +122,7 @@ impl Growing {
     #[inline(always)]
     fn is_beyond(&self, edge: BoundaryEdge, point: [f64; 2]) -> bool {
         let ([from, to], [seen_from, seen_to]) = (edge.ends, edge.seen);
-        let ends = || [to, from].map(|v| self.mesh.points[v as usize]);
-        sees_left([seen_to, seen_from], ends, point)
+        self.mesh.is_left([to, from], [seen_to, seen_from], point)
     }
 }
 

@@ -42,10 +42,10 @@ impl Journal {
     /// Notes what the commit of a Steiner point with this cavity is about to change.
     pub fn note_commit(&mut self, mesh: &Triangulation, cavity: &Cavity) {
         self.note_slots(mesh, &cavity.star);
-        let more = cavity.boundary.len().saturating_sub(cavity.star.len());
+        let more = cavity.size().saturating_sub(cavity.star.len());
         let taken = mesh.vacant.iter().rev().take(more);
         self.changes.extend(taken.map(|&slot| Change::Occupied(slot)));
-        for side in &cavity.boundary {
+        for side in cavity.sides() {
             if !side.behind.is_outside() {
                 self.note_slots(mesh, &[side.behind.triangle()]);
             }

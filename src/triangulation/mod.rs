@@ -20,6 +20,7 @@ pub use renumbering::Renumbering;
 use subsegments::Anchors;
 
 use crate::corners::{each, next, previous};
+use crate::predicates::{self, Relative};
 
 /// A triangle's edge, with whether it may be crossed:
 /// `triangle << 3 | constrained << 2 | edge`; edge `i` is opposite vertex `i`.
@@ -153,6 +154,23 @@ impl Triangulation {
         self.triangles[edge.triangle() as usize].vertices[edge.index()]
     }
 
+    /// Whether a point lies strictly in the circle of three vertices, exactly.
+    #[cold]
+    #[inline(never)]
+    fn is_in_circle(&self, vertices: [u32; 3], point: [f64; 2]) -> bool {
+        predicates::in_circle_exactly(vertices.map(|v| self.points[v as usize]), point)
+    }
+
+    /// Whether the point from which two vertices are `seen` lies strictly to the left of the line
+    /// from the first to the second.
+    #[inline(always)]
+    fn is_left(&self, vertices: [u32; 2], seen: [Relative; 2], point: [f64; 2]) -> bool {
+        match predicates::surely_left(seen) {
+            Some(is_left) => is_left,
+            None => predicates::left_exactly(vertices.map(|v| self.points[v as usize]), point),
+        }
+    }
+
     /// Every subsegment, once for each triangle that has it, by slots.
     pub fn constrained_edges(&self) -> impl Iterator<Item = Edge> + '_ {
         self.triangles.iter().enumerate().flat_map(move |(slot, triangle)| {
@@ -168,7 +186,7 @@ impl Triangulation {
     }
 
     /// Puts the new point of `cavity` in and returns its index. The new triangles are
-    /// [`Cavity::star`], in the order of [`Cavity::boundary`].
+    /// [`Cavity::star`], in the order of [`Cavity::sides`].
     ///
     /// k triangles die and at most k + 2 are born: they take the slots of the dead, then new ones.
     pub fn commit(&mut self, cavity: &mut Cavity) -> u32 {
@@ -182,27 +200,28 @@ impl Triangulation {
 
     /// Makes `cavity.star` the slots of the new triangles, one for each edge of its boundary.
     fn claim_slots(&mut self, cavity: &mut Cavity) {
-        let born = cavity.boundary.len();
-        let mut count = self.triangles.len() as u32;
-        while cavity.star.len() < born {
-            let slot = self.vacant.pop().unwrap_or(count);
+        while cavity.star.len() < cavity.size() {
+            let slot = self.vacant.pop().unwrap_or_else(|| self.new_slot());
             cavity.star.push(slot);
-            count = count.max(slot + 1);
         }
-        self.triangles.resize(count as usize, Triangle::VACANT);
+    }
+
+    fn new_slot(&mut self) -> u32 {
+        self.triangles.push(Triangle::VACANT);
         if !self.regions.is_empty() {
-            self.regions.resize(count as usize, 0);
+            self.regions.push(0);
         }
+        self.triangles.len() as u32 - 1
     }
 
     /// Joins every boundary edge to the new vertex. The boundary runs counter-clockwise, so a
     /// triangle's neighbours in the star are the ones before and after it; where a subsegment was
     /// split its halves are the constrained edges at the joints of the two sides.
     fn link_star(&mut self, vertex: u32, cavity: &Cavity) {
-        let star = &cavity.star[..cavity.boundary.len()];
+        let star = &cavity.star[..cavity.size()];
         let (Some(&first), Some(&last)) = (star.first(), star.last()) else { return };
         let (mut before, mut slot) = (last, first);
-        for (i, side) in cavity.boundary.iter().enumerate() {
+        for (i, side) in cavity.sides().enumerate() {
             let after = star.get(i + 1).copied().unwrap_or(first);
             let mut neighbors = [side.behind, Edge::new(after, 2), Edge::new(before, 1)];
             if cavity.is_split() {

@@ -50,7 +50,7 @@ impl Anchors {
         if !cavity.is_constrained() && !cavity.is_split() {
             return;
         }
-        for (i, side) in cavity.boundary.iter().enumerate() {
+        for (i, side) in cavity.sides().enumerate() {
             if side.behind.is_constrained() {
                 self.set(side.ends, cavity.star[i]);
             }

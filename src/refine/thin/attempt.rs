@@ -180,8 +180,8 @@ impl Refinement<'_> {
         self.mesh.commit(&mut self.cavity);
         self.provenances.push_steiner_point();
         self.size_new_vertex();
-        for i in 0..self.cavity.boundary.len() {
-            if self.may_be_bad(self.cavity.boundary[i].seen, self.cavity.region(i)) {
+        for (i, side) in self.cavity.sides().enumerate() {
+            if self.may_be_bad(side.seen, self.cavity.region(i)) {
                 self.judge(self.cavity.star[i], thinner);
             }
         }
