@@ -61,6 +61,7 @@ use queue::{Entry, Order, Queue};
 use segments::Segments;
 use sizes::Sizes;
 use sizing::Sizing;
+use steiner::Placement;
 use survey::Survey;
 use thin::Tried;
 use trace::{Cause, Listener, Proposer, Refusal};
@@ -93,6 +94,7 @@ pub struct Refinement<'a> {
     sizing: Sizing,
     sizes: Option<Sizes>,
     precision: Precision,
+    placement: Placement,
     order: Order,
     /// Whether every angle below κ̂ that is not excused is bad, and the shortest edge comes first.
     is_plain: bool,
@@ -224,6 +226,7 @@ impl<'a> Refinement<'a> {
             sizing,
             sizes,
             precision: Precision::of(domain),
+            placement: Placement::new(parameters),
             is_plain: !worst_first && parameters.soft_angle.is_none() && !parameters.incremental,
             order: if worst_first { Order::SmallestAngle } else { Order::ShortestEdge },
             queue: Queue::default(),
@@ -307,11 +310,22 @@ impl<'a> Refinement<'a> {
         })
     }
 
-    /// The smallest angle of a triangle that is below what is asked for and not excused.
+    /// The smallest angle of a triangle that is below what is asked for and not excused. A glance
+    /// mostly tells which one that is.
     fn small_angle(&self, slot: u32) -> Option<Trigger> {
-        let vertices = self.mesh.triangles[slot as usize].vertices;
-        let excused = |edge: usize, angle| self.is_excused(vertices, edge, angle);
-        quality::trigger(self.mesh.corners(slot), self.target(), excused)
+        let corners = self.mesh.corners(slot);
+        let [a, b] = [1, 2].map(|i| Relative::of(corners[i], corners[0]));
+        match quality::look(a, b, self.target()) {
+            Look::Fine => None,
+            Look::Small { edge, is_clear: true, .. } if !self.may_excuse(slot, edge) => {
+                Some(Trigger::opposite(corners, edge))
+            }
+            _ => {
+                let vertices = self.mesh.triangles[slot as usize].vertices;
+                let excused = |edge: usize, angle| self.is_excused(vertices, edge, angle);
+                quality::trigger(corners, self.target(), excused)
+            }
+        }
     }
 
     /// The features in the order in which they were introduced; empty unless one by one.
@@ -374,7 +388,7 @@ impl<'a> Refinement<'a> {
         let usual = || {
             self.precision.round(match self.size_over_edge(vertices, trigger) {
                 Some(size) => steiner::at_size(corners, trigger, size),
-                None => steiner::point(self.parameters, corners, trigger),
+                None => self.placement.point(corners, trigger),
             })
         };
         let point = ahead.unwrap_or_else(usual);
@@ -505,7 +519,9 @@ impl<'a> Refinement<'a> {
                 quality::squared_edges(a, b).into_iter().reduce(f64::min)
             }
             Look::Fine if !may_be_too_large() => return,
-            Look::Small { edge, squared } => Some(squared).filter(|_| !self.may_excuse(slot, edge)),
+            Look::Small { edge, squared, .. } => {
+                Some(squared).filter(|_| !self.may_excuse(slot, edge))
+            }
             _ => None,
         };
         match squared.filter(|_| self.is_plain) {

@@ -36,6 +36,8 @@ pub enum Look {
         edge: usize,
         /// Its squared length.
         squared: f64,
+        /// Whether no other edge is as short, whatever rounding did.
+        is_clear: bool,
     },
     /// The angle is too close to κ̂ for rounded numbers.
     Unsure,
@@ -48,7 +50,7 @@ pub enum Look {
 pub fn look(a: Relative, b: Relative, kappa: MinAngle) -> Look {
     let (cross, dot) = (a.cross(b), a.dot(b));
     // By |·||·|cos of the three angles as above.
-    let [at_a, at_b] = [a.squared - dot, b.squared - dot];
+    let cosines @ [_, at_a, at_b] = [dot, a.squared - dot, b.squared - dot];
     let largest = greater(dot, greater(at_a, at_b));
     if !may_be_below(cross, largest, kappa) {
         Look::Fine
@@ -57,7 +59,10 @@ pub fn look(a: Relative, b: Relative, kappa: MinAngle) -> Look {
     {
         // The edge opposite the angle that has it.
         let edge = if dot == largest { 0 } else { 2 - usize::from(at_a == largest) };
-        Look::Small { edge, squared: squared_edges(a, b)[edge] }
+        // These differ by what the squared lengths of the edges opposite do.
+        let near = largest - 1e-12 * (a.squared + b.squared);
+        let is_clear = cosines.iter().filter(|&&cosine| cosine > near).count() == 1;
+        Look::Small { edge, squared: squared_edges(a, b)[edge], is_clear }
     } else {
         Look::Unsure
     }
@@ -84,6 +89,16 @@ pub struct Trigger {
     pub only_size: bool,
 }
 
+impl Trigger {
+    /// The angle of a triangle opposite an edge.
+    #[must_use]
+    pub fn opposite(corners: [[f64; 2]; 3], edge: usize) -> Self {
+        let [x, a, b] = [edge, next(edge), previous(edge)].map(|i| corners[i]);
+        let (squared, angle) = (Relative::of(a, b).squared, Angle::at(x, a, b));
+        Self { edge, squared, angle, only_size: false }
+    }
+}
+
 /// The smallest angle of a counter-clockwise triangle that is below κ̂ and not excused: `excused`
 /// is asked with the edge opposite an angle.
 ///
@@ -95,24 +110,23 @@ pub fn trigger(
     mut excused: impl FnMut(usize, Angle) -> bool,
 ) -> Option<Trigger> {
     // The largest angle is at least 60°: it is never small.
-    edges_by_length(corners)[..2].iter().find_map(|&(edge, squared)| {
+    edges_by_length(corners)[..2].iter().find_map(|&(edge, _)| {
         let seen = |i: usize| Relative::of(corners[i], corners[edge]);
         let (p, q) = (seen(next(edge)), seen(previous(edge)));
         if !may_be_below(p.cross(q), p.dot(q), kappa) {
             return None;
         }
-        let angle = Angle::at(corners[edge], corners[next(edge)], corners[previous(edge)]);
-        let bad = angle.is_below(kappa) && !excused(edge, angle);
-        bad.then_some(Trigger { edge, squared, angle, only_size: false })
+        let trigger = Trigger::opposite(corners, edge);
+        let bad = trigger.angle.is_below(kappa) && !excused(edge, trigger.angle);
+        bad.then_some(trigger)
     })
 }
 
 /// The trigger of a triangle that is only too large: its smallest angle.
 #[must_use]
 pub fn by_size(corners: [[f64; 2]; 3]) -> Trigger {
-    let (edge, squared) = edges_by_length(corners)[0];
-    let angle = Angle::at(corners[edge], corners[next(edge)], corners[previous(edge)]);
-    Trigger { edge, squared, angle, only_size: true }
+    let (edge, _) = edges_by_length(corners)[0];
+    Trigger { only_size: true, ..Trigger::opposite(corners, edge) }
 }
 
 /// The edges of a triangle with their squared lengths, the shortest first.
@@ -170,8 +184,8 @@ mod tests {
             let found = trigger(corners, kappa, |_, _| false);
             match (looked, found) {
                 (Look::Fine, None) => counts[0] += 1,
-                (Look::Small { edge, squared }, Some(trigger)) => {
-                    assert_eq!(edge, trigger.edge);
+                (Look::Small { edge, squared, is_clear }, Some(trigger)) => {
+                    assert!(is_clear && edge == trigger.edge);
                     assert!((squared / trigger.squared - 1.0).abs() < 1e-12);
                     counts[1] += 1;
                 }
@@ -180,6 +194,15 @@ mod tests {
             }
         }
         assert!(counts[0] > 500 && counts[1] > 500 && counts[2] < 5, "{counts:?}");
+    }
+
+    #[test]
+    fn of_two_edges_as_short_a_look_does_not_tell_the_shorter_one() {
+        let looked = |y: f64| {
+            let [p, a, b] = [[0.0, 0.0], [2.0, 0.0], [1.0, y]];
+            look(Relative::of(a, p), Relative::of([b[0] + 1e-15, b[1]], p), MinAngle::default())
+        };
+        assert!(matches!(looked(0.1), Look::Small { is_clear: false, .. }));
     }
 
     #[test]

@@ -5,21 +5,38 @@ use crate::constructions::on_bisector;
 use crate::corners::{next, previous};
 use crate::parameters::{MinAngle, Parameters, Steiner};
 
-/// The point that removes a triangle: rounded to the coordinates of the output, and only then
-/// tested and committed.
-#[must_use]
-pub fn point(parameters: &Parameters, corners: [[f64; 2]; 3], trigger: Trigger) -> [f64; 2] {
-    let [a, b] = [corners[next(trigger.edge)], corners[previous(trigger.edge)]];
-    // The circumcenter sees ab under twice the angle opposite.
-    let circumcenter = trigger.angle.dot / (2.0 * trigger.angle.cross);
-    let by_angle = trigger.angle.is_below(parameters.min_angle);
-    let height = match parameters.steiner {
-        Steiner::OffCenter | Steiner::LookAhead if by_angle => {
-            circumcenter.min(off_center(parameters.soft_angle.unwrap_or(parameters.min_angle)))
-        }
-        _ => circumcenter,
-    };
-    on_bisector(a, b, height)
+/// Where Steiner points go.
+#[derive(Debug, Clone, Copy)]
+pub struct Placement {
+    /// No farther out than the circumcenter and, for the sake of an angle below `kappa`, this height.
+    highest: f64,
+    kappa: MinAngle,
+}
+
+impl Placement {
+    /// Where the parameters put them.
+    #[must_use]
+    pub fn new(parameters: &Parameters) -> Self {
+        let kappa = parameters.min_angle;
+        let highest = match parameters.steiner {
+            Steiner::OffCenter | Steiner::LookAhead => {
+                off_center(parameters.soft_angle.unwrap_or(kappa))
+            }
+            Steiner::Circumcenter => f64::INFINITY,
+        };
+        Self { highest, kappa }
+    }
+
+    /// The point that removes a triangle: rounded to the coordinates of the output, and only then
+    /// tested and committed.
+    #[must_use]
+    pub fn point(&self, corners: [[f64; 2]; 3], trigger: Trigger) -> [f64; 2] {
+        let [a, b] = [corners[next(trigger.edge)], corners[previous(trigger.edge)]];
+        // The circumcenter sees ab under twice the angle opposite.
+        let circumcenter = trigger.angle.dot / (2.0 * trigger.angle.cross);
+        let by_angle = trigger.angle.is_below(self.kappa);
+        on_bisector(a, b, if by_angle { circumcenter.min(self.highest) } else { circumcenter })
+    }
 }
 
 /// The point that removes a triangle which is only too large for the size there: over its shortest
@@ -57,7 +74,7 @@ mod tests {
     fn steiner_point(steiner: Steiner) -> [f64; 2] {
         let parameters = Parameters { steiner, ..Parameters::default() };
         let bad = trigger(THIN, parameters.min_angle, |_, _| false).expect("it is thin");
-        point(&parameters, THIN, bad)
+        Placement::new(&parameters).point(THIN, bad)
     }
 
     #[test]
