@@ -265,7 +265,7 @@ impl Cavity {
     ) -> u32 {
         let triangle = &mesh.triangles[root as usize];
         let first = self.vertices.len() as u32;
-        self.vertices.extend(each(triangle.vertices, |v| self.vertex(mesh, v)));
+        self.vertices.extend_from_slice(&each(triangle.vertices, |v| self.vertex(mesh, v)));
         let place = |corner: usize| first + corner as u32;
         let start = place(next(edges[0]));
         if self.boundary.is_empty() {
