@@ -26,7 +26,6 @@ pub fn assemble(
     refinement.mesh.forget_anchors();
     let order = OutputOrder::of(&refinement, domain_points);
     let mut mesh = Mesh {
-        triangle_tags: region_tags(&refinement, domain),
         groups: pslg.groups.clone(),
         point_data: interpolate(
             &pslg.point_attributes,
@@ -47,7 +46,7 @@ pub fn assemble(
     mesh.point_markers = markers(&refinement, &order, domain_points, domain, pslg);
     mesh.provenance = order.vertices().map(|v| refinement.provenances.kind(v)).collect();
     // The large arrays last: by then all that only the refinement needs is given back.
-    let Triangulation { points, triangles, .. } = mem::take(&mut refinement.mesh);
+    let Triangulation { points, triangles, regions, .. } = mem::take(&mut refinement.mesh);
     drop(refinement);
     mesh.points = order.sorted(points);
     if domain.scale_exponent != 0 {
@@ -55,6 +54,8 @@ pub fn assemble(
         mesh.points.iter_mut().for_each(|point| *point = point.map(unscaled));
     }
     mesh.triangles = renamed(triangles, &order);
+    drop(order);
+    mesh.triangle_tags = region_tags(regions, mesh.triangles.len(), domain);
     mesh
 }
 
@@ -165,14 +166,15 @@ fn subsegments(refinement: &Refinement) -> Vec<Subsegment> {
     found
 }
 
-fn region_tags(refinement: &Refinement, domain: &Domain) -> Vec<Tag> {
+/// The tags of the triangles' regions; where there is no region, of so many `triangles`.
+fn region_tags(regions: Vec<u32>, triangles: usize, domain: &Domain) -> Vec<Tag> {
     let tag = |region: u32| match region {
         0 => 0,
         region => domain.regions[region as usize - 1].tag,
     };
-    match &refinement.mesh.regions[..] {
-        [] => vec![0; refinement.mesh.triangles.len()],
-        regions => regions.iter().map(|&region| tag(region)).collect(),
+    match regions.is_empty() {
+        true => vec![0; triangles],
+        false => regions.into_iter().map(tag).collect(),
     }
 }
 

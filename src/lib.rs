@@ -56,6 +56,7 @@ mod parameters;
 pub mod predicates;
 mod radix;
 mod random;
+mod ranked_set;
 pub mod refine;
 mod run;
 mod seeds;

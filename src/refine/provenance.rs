@@ -1,6 +1,7 @@
 //! How the points of a mesh came to be.
 
 pub use crate::formats::Provenance as Kind;
+use crate::ranked_set::RankedSet;
 
 /// One of the two ends of an input segment, as an index into its ends.
 pub type End = u8;
@@ -32,11 +33,12 @@ pub enum Origin {
     Middle,
 }
 
-/// The provenance of every vertex, in one word each.
+/// The provenance of every vertex.
 #[derive(Debug, Clone, Default)]
 pub struct Provenances {
-    /// 0 for a point that splits no segment; else its place in `segment_points`, plus one.
-    places: Vec<u32>,
+    /// The vertices that split segments.
+    on_segments: RankedSet,
+    /// What is known of each of them.
     segment_points: Vec<SegmentPoint>,
     inputs: u32,
 }
@@ -46,7 +48,11 @@ impl Provenances {
     /// behind them are no points of the mesh.
     #[must_use]
     pub fn of_inputs(inputs: usize, vertices: usize) -> Self {
-        Self { places: vec![0; vertices], segment_points: Vec::new(), inputs: inputs as u32 }
+        Self {
+            on_segments: RankedSet::of_none(vertices),
+            segment_points: Vec::new(),
+            inputs: inputs as u32,
+        }
     }
 
     /// How many vertices are points of the domain: the first ones.
@@ -57,13 +63,13 @@ impl Provenances {
 
     /// Notes a committed Steiner point.
     pub fn push_steiner_point(&mut self) {
-        self.places.push(0);
+        self.on_segments.push(false);
     }
 
     /// Notes a committed point that splits a segment.
     pub fn push_segment_point(&mut self, point: SegmentPoint) {
         self.segment_points.push(point);
-        self.places.push(self.segment_points.len() as u32);
+        self.on_segments.push(true);
     }
 
     /// The segment that the vertex splits, and where; `None` for points of the domain and for
@@ -71,10 +77,7 @@ impl Provenances {
     #[inline]
     #[must_use]
     pub fn segment_point(&self, vertex: u32) -> Option<&SegmentPoint> {
-        match self.places[vertex as usize] {
-            0 => None,
-            place => Some(&self.segment_points[place as usize - 1]),
-        }
+        self.on_segments.rank(vertex).map(|rank| &self.segment_points[rank])
     }
 
     /// Whether the vertex is a point of the domain.
@@ -87,18 +90,19 @@ impl Provenances {
     #[inline]
     #[must_use]
     pub fn is_steiner_point(&self, vertex: u32) -> bool {
-        vertex >= self.inputs && self.places.get(vertex as usize) == Some(&0)
+        vertex >= self.inputs
+            && self.on_segments.has(vertex)
+            && self.on_segments.rank(vertex).is_none()
     }
 
     /// Forgets the Steiner points behind the first `vertices`.
     pub(super) fn truncate(&mut self, vertices: usize) {
-        self.places.truncate(vertices);
+        self.on_segments.truncate(vertices);
     }
 
     /// Forgets Steiner points; those that stay keep their order.
     pub(super) fn retain(&mut self, stays: impl Fn(u32) -> bool) {
-        let mut vertices = 0..;
-        self.places.retain(|_| vertices.next().is_some_and(&stays));
+        self.on_segments.retain(stays);
     }
 
     /// The kind of a vertex.

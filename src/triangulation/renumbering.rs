@@ -60,7 +60,7 @@ impl Triangulation {
                     .constrained_if(behind.is_constrained()),
             });
         }
-        self.anchors.renumber(|v| new.keeps(v as u32), |slot| new.slot(slot));
+        self.anchors.renumber(|v| new.keeps(v), |slot| new.slot(slot));
         self.vacant.clear();
         new
     }

@@ -2,14 +2,17 @@
 
 use super::{Cavity, Edge, Triangulation};
 use crate::corners::{next, previous};
+use crate::ranked_set::RankedSet;
 
 /// For each vertex on a subsegment, one triangle that has a constrained edge at it.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Anchors {
-    /// A slot for each vertex; `u32::MAX` for a vertex on no subsegment.
+    /// The vertices on subsegments.
+    vertices: RankedSet,
+    /// A slot for each of them.
     slots: Vec<u32>,
-    /// Vertices at which the region falls into several fans, which no walk around the vertex joins.
-    /// Only vertices of the outline can be pinched.
+    /// Vertices at which the region falls into several fans, which no walk around the vertex joins;
+    /// empty where there is none. Only vertices of the outline can be pinched.
     pinched: Vec<bool>,
     /// The triangle of each subsegment with two pinched ends, sorted by them (smaller index first).
     pinched_edges: Vec<([u32; 2], u32)>,
@@ -26,16 +29,20 @@ pub(super) struct Anchored {
 impl Anchors {
     /// The anchors of a triangulation that was just made.
     pub fn of(triangulation: &Triangulation) -> Self {
-        let count = triangulation.points.len();
+        let mut on_subsegments = vec![false; triangulation.points.len()];
+        for edge in triangulation.constrained_edges() {
+            triangulation.ends(edge).iter().for_each(|&v| on_subsegments[v as usize] = true);
+        }
+        let vertices: RankedSet = on_subsegments.into_iter().collect();
+        let slots = vec![u32::MAX; vertices.members()];
         let pinched = pinched_vertices(triangulation);
-        let mut made = Self { slots: vec![u32::MAX; count], pinched, pinched_edges: Vec::new() };
+        let mut made = Self { vertices, slots, pinched, pinched_edges: Vec::new() };
         for edge in triangulation.constrained_edges() {
             let ends = triangulation.ends(edge);
-            if ends.iter().all(|&v| made.pinched[v as usize]) {
+            if ends.iter().all(|&v| made.is_pinched(v)) {
                 made.pinched_edges.push((sorted(ends), edge.triangle()));
             }
-            made.slots[ends[0] as usize] = edge.triangle();
-            made.slots[ends[1] as usize] = edge.triangle();
+            ends.iter().for_each(|&v| made.set_at(v, edge.triangle()));
         }
         made.pinched_edges.sort_unstable();
         made.pinched_edges.dedup_by_key(|entry| entry.0);
@@ -46,8 +53,10 @@ impl Anchors {
     /// a constrained edge leaves that edge on the cavity's boundary, or its halves at the joints:
     /// so an anchor never dangles.
     pub fn renew(&mut self, vertex: u32, cavity: &Cavity) {
-        self.slots.push(u32::MAX);
-        if !cavity.is_constrained() && !cavity.is_split() {
+        self.vertices.push(cavity.is_split());
+        if cavity.is_split() {
+            self.slots.push(u32::MAX);
+        } else if !cavity.is_constrained() {
             return;
         }
         for (i, side) in cavity.sides().enumerate() {
@@ -69,11 +78,24 @@ impl Anchors {
     /// Renews the anchors of the ends of a constrained edge that a new triangle has.
     #[inline]
     pub fn set(&mut self, ends: [u32; 2], slot: u32) {
-        self.slots[ends[0] as usize] = slot;
-        self.slots[ends[1] as usize] = slot;
+        ends.iter().for_each(|&v| self.set_at(v, slot));
         if let Some(at) = self.pinched_edge(ends) {
             self.pinched_edges[at].1 = slot;
         }
+    }
+
+    /// (An edge of the hull that is no subsegment may have ends that are on none.)
+    #[inline]
+    fn set_at(&mut self, vertex: u32, slot: u32) {
+        if let Some(rank) = self.vertices.rank(vertex) {
+            self.slots[rank] = slot;
+        }
+    }
+
+    /// The slot of a vertex; `u32::MAX` for one that is on no subsegment.
+    #[inline]
+    fn at(&self, vertex: u32) -> u32 {
+        self.vertices.rank(vertex).map_or(u32::MAX, |rank| self.slots[rank])
     }
 
     /// Where an edge stands among those with two pinched ends.
@@ -90,15 +112,14 @@ impl Anchors {
         let place = self.pinched_edge(ends);
         Anchored {
             ends,
-            slots: ends.map(|v| self.slots[v as usize]),
+            slots: ends.map(|v| self.at(v)),
             pinched: place.map(|at| (at, self.pinched_edges[at].1)),
         }
     }
 
     /// Takes a change back.
     pub fn restore(&mut self, Anchored { ends, slots, pinched }: Anchored) {
-        self.slots[ends[0] as usize] = slots[0];
-        self.slots[ends[1] as usize] = slots[1];
+        ends.iter().zip(slots).for_each(|(&v, slot)| self.set_at(v, slot));
         if let Some((at, slot)) = pinched {
             self.pinched_edges[at].1 = slot;
         }
@@ -106,16 +127,15 @@ impl Anchors {
 
     /// Forgets the vertices behind the first `count`, which are on no subsegment.
     pub fn truncate(&mut self, count: usize) {
-        self.slots.truncate(count);
+        self.vertices.truncate(count);
     }
 
-    /// Renumbers slots, and vertices of which none that is pinched gets another number.
-    pub fn renumber(&mut self, stays: impl Fn(usize) -> bool, slot: impl Fn(u32) -> u32) {
-        let mut vertices = 0..;
-        self.slots.retain(|_| vertices.next().is_some_and(&stays));
-        let used = self.slots.iter_mut().filter(|anchor| **anchor != u32::MAX);
-        used.chain(self.pinched_edges.iter_mut().map(|(_, anchor)| anchor))
-            .for_each(|anchor| *anchor = slot(*anchor));
+    /// Renumbers slots, and vertices: none on a subsegment is forgotten, none that is pinched gets
+    /// another number.
+    pub fn renumber(&mut self, stays: impl Fn(u32) -> bool, slot: impl Fn(u32) -> u32) {
+        self.vertices.retain(stays);
+        let pinched = self.pinched_edges.iter_mut().map(|(_, anchor)| anchor);
+        self.slots.iter_mut().chain(pinched).for_each(|anchor| *anchor = slot(*anchor));
     }
 
     #[inline]
@@ -147,7 +167,7 @@ impl Triangulation {
 
     /// Walks around `a`, which has one fan of triangles, until it meets `b`.
     fn subsegment_around(&self, a: u32, b: u32) -> Option<Edge> {
-        let start = self.anchors.slots[a as usize];
+        let start = self.anchors.at(a);
         // Counter-clockwise to the start again or to the outside, then clockwise.
         for step in [next, previous] {
             let mut slot = start;
@@ -193,7 +213,7 @@ fn pinched_vertices(triangulation: &Triangulation) -> Vec<bool> {
             open[start] = true;
         }
     }
-    pinched
+    if pinched.contains(&true) { pinched } else { Vec::new() }
 }
 
 fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
