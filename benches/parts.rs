@@ -55,7 +55,7 @@ fn judge_the_outline(bencher: Bencher, count: usize) {
 #[divan::bench(args = POINTS)]
 fn triangulate_it(bencher: Bencher, count: usize) {
     let (domain, _) = Domain::new(&outline(count), Region::Domain).expect("the outline is clean");
-    bencher.bench(|| triangulate(black_box(&domain)));
+    bencher.with_inputs(|| domain.clone()).bench_values(|domain| triangulate(black_box(domain)));
 }
 
 #[divan::bench(args = POINTS)]

@@ -12,19 +12,17 @@ use crate::triangulation::{Edge, Triangle, Triangulation};
 
 /// The mesh of a refinement, in the outline's own coordinates, numbers and tags.
 ///
-/// `initial` are the triangles before carving (needed where points have attributes);
-/// `domain_points` tells which point of the domain each of the first vertices is. Vertices that no
-/// triangle uses (points of the outline outside the meshed region) are left out.
+/// `initial` are the triangles before carving (needed where points have attributes). Vertices that
+/// no triangle uses (points of the outline outside the meshed region) are left out.
 #[must_use]
 pub fn assemble(
     mut refinement: Refinement,
     initial: Vec<Triangle>,
-    domain_points: &[u32],
     domain: &Domain,
     pslg: &Pslg,
 ) -> Mesh {
     refinement.mesh.forget_anchors();
-    let order = OutputOrder::of(&refinement, domain_points);
+    let order = OutputOrder::of(&refinement.mesh, pslg.points.len(), &domain.input_points);
     let mut mesh = Mesh {
         groups: pslg.groups.clone(),
         point_data: interpolate(
@@ -32,7 +30,6 @@ pub fn assemble(
             initial,
             &refinement,
             domain,
-            domain_points,
             order.vertices(),
         ),
         ..Mesh::default()
@@ -42,8 +39,8 @@ pub fn assemble(
     mesh.edge_segments =
         edges.iter().map(|edge| domain.input_segments[edge.segment as usize]).collect();
     mesh.edges = edges.into_iter().map(|edge| edge.ends.map(|v| order.place(v))).collect();
-    mesh.memberships = memberships(&order, &mesh.edge_segments, domain_points, domain, pslg);
-    mesh.point_markers = markers(&refinement, &order, domain_points, domain, pslg);
+    mesh.memberships = memberships(&order, &mesh.edge_segments, domain, pslg);
+    mesh.point_markers = markers(&refinement, &order, domain, pslg);
     mesh.provenance = order.vertices().map(|v| refinement.provenances.kind(v)).collect();
     // The large arrays last: by then all that only the refinement needs is given back.
     let Triangulation { points, triangles, regions, .. } = mem::take(&mut refinement.mesh);
@@ -86,18 +83,22 @@ struct OutputOrder {
 }
 
 impl OutputOrder {
-    fn of(refinement: &Refinement, domain_points: &[u32]) -> Self {
+    /// The first vertices of the mesh are `input_points` of an outline that has so many
+    /// `outline_points`.
+    fn of(mesh: &Triangulation, outline_points: usize, input_points: &[u32]) -> Self {
         let (unused, used) = (u32::MAX, 0);
-        let mut places = vec![unused; refinement.mesh.points.len()];
-        for triangle in &refinement.mesh.triangles {
+        let mut places = vec![unused; mesh.points.len()];
+        for triangle in &mesh.triangles {
             triangle.vertices.iter().for_each(|&v| places[v as usize] = used);
         }
-        let mut inputs = vec![0; domain_points.len()];
-        for (v, &point) in (0..).zip(domain_points) {
-            inputs[point as usize] = v;
+        let mut inputs = vec![unused; outline_points];
+        for (v, (&input, &place)) in (0..).zip(input_points.iter().zip(&places)) {
+            if place == used {
+                inputs[input as usize] = v;
+            }
         }
-        inputs.retain(|&v| places[v as usize] == used);
-        let mut made = Self { places, inputs, first_other: domain_points.len() };
+        inputs.retain(|&v| v != unused);
+        let mut made = Self { places, inputs, first_other: input_points.len() };
         for (place, &v) in (0..).zip(&made.inputs) {
             made.places[v as usize] = place;
         }
@@ -182,7 +183,6 @@ fn region_tags(regions: Vec<u32>, triangles: usize, domain: &Domain) -> Vec<Tag>
 fn memberships(
     order: &OutputOrder,
     edge_segments: &[u32],
-    domain_points: &[u32],
     domain: &Domain,
     pslg: &Pslg,
 ) -> Vec<Membership> {
@@ -190,8 +190,8 @@ fn memberships(
         return Vec::new();
     }
     let mut vertices = vec![u32::MAX; pslg.points.len()];
-    for (&vertex, &point) in order.places.iter().zip(domain_points) {
-        vertices[domain.input_points[point as usize] as usize] = vertex;
+    for (&vertex, &input) in order.places.iter().zip(&domain.input_points) {
+        vertices[input as usize] = vertex;
     }
     let mut pieces: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     for (edge, &input) in (0..).zip(edge_segments) {
@@ -215,13 +215,7 @@ fn memberships(
 }
 
 /// The outline's markers; a point that splits a segment inherits the segment's tag.
-fn markers(
-    refinement: &Refinement,
-    order: &OutputOrder,
-    domain_points: &[u32],
-    domain: &Domain,
-    pslg: &Pslg,
-) -> Vec<Tag> {
+fn markers(refinement: &Refinement, order: &OutputOrder, domain: &Domain, pslg: &Pslg) -> Vec<Tag> {
     if pslg.point_markers.is_empty() && domain.segment_tags.iter().all(|&tag| tag == 0) {
         return Vec::new();
     }
@@ -229,8 +223,8 @@ fn markers(
         if let Some(point) = refinement.provenances.segment_point(v) {
             return domain.segment_tags[point.segment as usize];
         }
-        let input = domain_points.get(v as usize).map(|&point| domain.input_points[point as usize]);
-        let given = input.and_then(|input| pslg.point_markers.get(input as usize));
+        let input = domain.input_points.get(v as usize);
+        let given = input.and_then(|&input| pslg.point_markers.get(input as usize));
         given.copied().unwrap_or(0)
     };
     order.vertices().map(marker).collect()

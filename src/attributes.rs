@@ -10,15 +10,13 @@ use crate::triangulation::Triangle;
 /// The attributes at the vertices in `order`, by name.
 ///
 /// `initial` are the linked triangles over the points of the domain before carving: they fill the
-/// convex hull, so every point lies in one. `domain_points` tells which point of the domain each
-/// of the first vertices is.
+/// convex hull, so every point lies in one.
 #[must_use]
 pub fn interpolate(
     attributes: &[Attribute],
     initial: Vec<Triangle>,
     refinement: &Refinement,
     domain: &Domain,
-    domain_points: &[u32],
     order: impl Iterator<Item = u32>,
 ) -> Vec<Data> {
     if attributes.is_empty() {
@@ -26,7 +24,7 @@ pub fn interpolate(
     }
     let mut background = Background { triangles: initial, slot: 0 };
     let weights: Vec<_> = order.map(|v| refinement.weights(v, &mut background)).collect();
-    let input = |vertex: u32| domain.input_points[domain_points[vertex as usize] as usize] as usize;
+    let input = |vertex: u32| domain.input_points[vertex as usize] as usize;
     let mean = |attribute: &Attribute, weights: &Weights| {
         weights.iter().map(|&(v, weight)| weight * attribute.values[input(v)]).sum()
     };

@@ -70,7 +70,7 @@ pub fn faces_of_triangles(initial: &Initial, domain: &Domain) -> Vec<u32> {
         let constrained = (0..3).filter(|&i| triangle.neighbors[i].is_constrained());
         for i in constrained {
             let ends = [next(i), previous(i)].map(|j| triangle.vertices[j]);
-            if let Some(face) = face_to_the_left(domain, initial, ends) {
+            if let Some(face) = face_to_the_left(domain, ends) {
                 flood.from(slot, face);
             }
         }
@@ -80,11 +80,11 @@ pub fn faces_of_triangles(initial: &Initial, domain: &Domain) -> Vec<u32> {
 }
 
 /// The face to the left of the segment from one vertex to another; `None` if there is none.
-fn face_to_the_left(domain: &Domain, initial: &Initial, ends: [u32; 2]) -> Option<u32> {
+fn face_to_the_left(domain: &Domain, [a, b]: [u32; 2]) -> Option<u32> {
     // The corners of the box around are none of the domain's points.
-    let [Some(&a), Some(&b)] = ends.map(|v| initial.domain_points.get(v as usize)) else {
+    if a.max(b) as usize >= domain.points.len() {
         return None;
-    };
+    }
     let fewer = if domain.adjoining(a).len() <= domain.adjoining(b).len() { a } else { b };
     domain.adjoining(fewer).iter().find_map(|&segment| {
         let [left, right] = domain.faces.sides(segment);

@@ -215,16 +215,16 @@ fn unjudged(
 ) -> Result<Outcome, Error> {
     let (domain, warnings) = Domain::new(pslg, parameters.region)?;
     let exact_before = predicates::exact_answers();
-    let initial = triangulate(&domain)?;
-    let domain_points = initial.domain_points.clone();
+    let smallest_input_angle = InputAngle::smallest(&domain);
+    let (domain, initial) = triangulate(domain)?;
     let has_attributes = !pslg.point_attributes.is_empty();
     let kept = if has_attributes { initial.triangles.clone() } else { Vec::new() };
-    let segments = Segments::of(&domain, &domain_points, domain.floor());
+    let segments = Segments::of(&domain, domain.floor());
     let sizing = sizing(parameters, &domain);
-    let sizes = Sizes::of(&domain, &domain_points, initial.points.len());
+    let sizes = Sizes::of(&domain, initial.points.len());
     let carved = carve(initial, &domain);
 
-    let names = Names::new(&domain, &domain_points, pslg.points.len());
+    let names = Names::new(&domain, pslg.points.len());
     let mut translate = hear.map(|hear| |event| hear(&names.translate(event)));
     let mut refinement = Refinement::new(carved, segments, sizing, sizes, &domain, parameters);
     if let Some(translate) = &mut translate {
@@ -236,7 +236,7 @@ fn unjudged(
         return Err(Error::Cancelled);
     }
     let thinned = if end == End::Finished { thin(&mut refinement, progress) } else { None };
-    let input = |&v: &u32| domain.input_points[domain_points[v as usize] as usize];
+    let input = |&v: &u32| domain.input_points[v as usize];
     let refused_at = refinement.stalled_at().iter().map(input).collect();
     if domain.region == Region::Global {
         refinement.mesh = without_the_outside(mem::take(&mut refinement.mesh));
@@ -248,7 +248,7 @@ fn unjudged(
     let introduced = refinement.introductions().iter().map(|&it| names.introduction(it)).collect();
     let counters = Counters { exact, ..refinement.counters };
     let refused = refinement.refused.subsegments.len() + refinement.refused.triangles.len();
-    let mesh = assemble(refinement, kept, &domain_points, &domain, pslg);
+    let mesh = assemble(refinement, kept, &domain, pslg);
     Ok(Outcome {
         missed,
         refused_at,
@@ -261,7 +261,7 @@ fn unjudged(
         },
         certificate: not_judged(&mesh, &Promise::from(parameters)),
         mesh,
-        smallest_input_angle: InputAngle::smallest(&domain),
+        smallest_input_angle,
         warnings: warnings.into_iter().map(Warning::Domain).collect(),
         end,
         refused,

@@ -50,7 +50,7 @@ pub fn told_by_seeds(pslg: &Pslg) -> Result<Pslg, SeedsError> {
     if domain.region == Region::Hull {
         return Ok(told); // there are no segments
     }
-    let seeds = (0..).zip(interior_points(&domain)?);
+    let seeds = (0..).zip(interior_points(domain.clone())?);
     let holes = seeds.filter(|&(face, _)| face != OUTSIDE && !domain.faces.is_meshed(face));
     let unscaled = |seed: [f64; 2]| seed.map(|x| domain.unscaled(x));
     told.holes = holes
@@ -73,10 +73,10 @@ pub fn meshed_alike(pslg: &Pslg, other: &Pslg) -> Option<bool> {
 }
 
 /// A point strictly inside each face: the centroid of the largest triangle that holds its own.
-fn interior_points(domain: &Domain) -> Result<Vec<Option<[f64; 2]>>, initial::Error> {
-    let initial = triangulate(domain)?;
+fn interior_points(domain: Domain) -> Result<Vec<Option<[f64; 2]>>, initial::Error> {
+    let (domain, initial) = triangulate(domain)?;
     let mut found = vec![(0.0, None); domain.faces.count() as usize];
-    for (triangle, face) in initial.triangles.iter().zip(faces_of_triangles(&initial, domain)) {
+    for (triangle, face) in initial.triangles.iter().zip(faces_of_triangles(&initial, &domain)) {
         let (area, seed) = centroid(triangle.vertices.map(|v| initial.points[v as usize]));
         let best = &mut found[face as usize];
         if area > best.0 && seed.is_some() {

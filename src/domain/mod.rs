@@ -1,6 +1,7 @@
 //! Assumption 1: from an outline to a domain that may be refined.
 
 mod adjoining;
+mod along_curve;
 mod angles;
 mod closest;
 mod conflicts;
@@ -23,6 +24,7 @@ mod tests;
 
 use std::sync::OnceLock;
 
+pub(crate) use along_curve::extent;
 pub use angles::Angle;
 pub use closest::{ClosestPair, Feature};
 pub use conflicts::{Conflict, ConflictKind, Conflicts};
@@ -43,8 +45,9 @@ use sweep::Linework;
 
 /// A PSLG for which Assumption 1 holds exactly, in the coordinates that the refinement works in.
 ///
-/// Every array is zero-based and in the order of the outline; "input" indices are those of the
-/// [`Pslg`] it was made from.
+/// Every array is zero-based and in the order of the outline, but for the points'
+/// [along a curve](Domain::along_hilbert_curve); "input" indices are those of the [`Pslg`] it was
+/// made from.
 #[derive(Debug, Clone)]
 pub struct Domain {
     /// Distinct points, scaled by 2^−[`scale_exponent`](Domain::scale_exponent).

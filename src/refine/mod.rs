@@ -82,7 +82,7 @@ pub struct Refinement<'a> {
     /// How its points came to be.
     pub provenances: Provenances,
     /// The segments of the domain.
-    pub segments: Segments,
+    pub segments: Segments<'a>,
     /// What was refused where doubles end.
     pub refused: Refused,
     /// What was done, counted.
@@ -205,7 +205,7 @@ impl<'a> Refinement<'a> {
     #[must_use]
     pub fn new(
         mesh: Triangulation,
-        segments: Segments,
+        segments: Segments<'a>,
         sizing: Sizing,
         sizes: Option<Sizes>,
         domain: &'a Domain,

@@ -9,14 +9,12 @@ use crate::domain::Domain;
 use crate::double_double::DoubleDouble;
 use crate::parameters::Splitting;
 
-/// The segments of a domain by the vertices of its triangulation.
+/// The segments of a domain whose points are the first vertices of its triangulation.
 #[derive(Debug, Clone)]
-pub struct Segments {
+pub struct Segments<'a> {
     /// The vertices at the ends of each segment.
-    pub ends: Vec<[u32; 2]>,
-    /// The segments at each vertex of the domain, counter-clockwise, one range per vertex.
-    adjoining: Vec<u32>,
-    adjoining_start: Vec<u32>,
+    pub ends: &'a [[u32; 2]],
+    domain: &'a Domain,
     /// For each end of each segment the sine of the smallest angle there to an adjoining segment,
     /// if that is below 90°, else 0: then the end needs no ladder.
     sines: Vec<[f64; 2]>,
@@ -29,29 +27,19 @@ pub struct Segments {
 /// vertex may have a hundred thousand segments. The territory point may be anywhere (Theorem 4).
 const GAP_NEIGHBOURS: usize = 32;
 
-impl Segments {
-    /// The segments of a domain; vertex v of the triangulation is `domain_points[v]` there.
-    /// No split makes a piece shorter than `floor`.
+impl<'a> Segments<'a> {
+    /// The segments of a domain. No split makes a piece shorter than `floor`.
     #[must_use]
-    pub fn of(domain: &Domain, domain_points: &[u32], floor: f64) -> Self {
-        let mut vertex_of = vec![0; domain_points.len()];
-        for (vertex, &point) in domain_points.iter().enumerate() {
-            vertex_of[point as usize] = vertex as u32;
-        }
-        let ends: Vec<_> =
-            domain.segments.iter().map(|ends| ends.map(|p| vertex_of[p as usize])).collect();
-        let (adjoining_start, adjoining) = adjoining(&ends, domain, domain_points);
-        let mut made = Self { ends, adjoining, adjoining_start, sines: Vec::new(), floor };
-        made.sines = made.smallest_sines(domain, domain_points);
+    pub fn of(domain: &'a Domain, floor: f64) -> Self {
+        let mut made = Self { ends: &domain.segments, domain, sines: Vec::new(), floor };
+        made.sines = made.smallest_sines();
         made
     }
 
     /// The segments that end at a vertex of the domain, counter-clockwise.
     #[must_use]
-    pub fn at(&self, vertex: u32) -> &[u32] {
-        let vertex = vertex as usize;
-        &self.adjoining
-            [self.adjoining_start[vertex] as usize..self.adjoining_start[vertex + 1] as usize]
+    pub fn at(&self, vertex: u32) -> &'a [u32] {
+        self.domain.adjoining(vertex)
     }
 
     /// The segment between two vertices of the domain.
@@ -202,10 +190,10 @@ impl Segments {
 
     /// For each end of each segment, the sine of the smallest angle below 90° there, or 0. The
     /// smallest angle is one to a rotational neighbour.
-    fn smallest_sines(&self, domain: &Domain, domain_points: &[u32]) -> Vec<[f64; 2]> {
-        let at = |vertex: u32| domain.points[domain_points[vertex as usize] as usize];
+    fn smallest_sines(&self) -> Vec<[f64; 2]> {
+        let at = |vertex: u32| self.domain.points[vertex as usize];
         let mut sines = vec![[0.0; 2]; self.ends.len()];
-        for vertex in 0..domain_points.len() as u32 {
+        for vertex in 0..self.domain.points.len() as u32 {
             let around = self.at(vertex);
             let pairs = match around.len() {
                 0 | 1 => 0,
@@ -246,22 +234,6 @@ impl Segments {
             })
             .collect()
     }
-}
-
-/// The segments at each vertex, as in [`Segments::at`]: the starts of the ranges, one more than there
-/// are vertices, and the ranges.
-fn adjoining(ends: &[[u32; 2]], domain: &Domain, domain_points: &[u32]) -> (Vec<u32>, Vec<u32>) {
-    let mut start = vec![0; domain_points.len() + 1];
-    ends.iter().flatten().for_each(|&vertex| start[vertex as usize + 1] += 1);
-    let mut adjoining = Vec::with_capacity(domain.adjoining.len());
-    for vertex in 0..domain_points.len() {
-        // (Of many points most may be on no segment: the domain is not asked for those.)
-        if start[vertex + 1] > 0 {
-            adjoining.extend_from_slice(domain.adjoining(domain_points[vertex]));
-        }
-        start[vertex + 1] += start[vertex];
-    }
-    (start, adjoining)
 }
 
 /// A segment that adjoins at an acute angle.

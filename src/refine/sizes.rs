@@ -41,14 +41,14 @@ pub struct Sizes {
 }
 
 impl Sizes {
-    /// The sizes of a domain, if it has any; vertex v of its triangulation, which has `count`, is
-    /// `domain_points[v]`, or no point of the domain.
+    /// The sizes of a domain, if it has any. Its points are the first of the `count` vertices of its
+    /// triangulation.
     #[must_use]
-    pub fn of(domain: &Domain, domain_points: &[u32], count: usize) -> Option<Self> {
-        let size = |&point: &u32| domain.point_sizes[point as usize];
+    pub fn of(domain: &Domain, count: usize) -> Option<Self> {
+        let sizes = domain.point_sizes.iter().copied();
         let none = std::iter::repeat(f64::INFINITY);
         (!domain.point_sizes.is_empty()).then(|| Self {
-            of_vertices: domain_points.iter().map(size).chain(none).take(count).collect(),
+            of_vertices: sizes.chain(none).take(count).collect(),
             background: Background::default(),
             slots: Vec::new(),
         })

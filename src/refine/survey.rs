@@ -349,7 +349,8 @@ mod tests {
         let segment_tags = vec![0; segments.len()];
         let pslg = Pslg { points, segments, segment_tags, ..Pslg::default() };
         let (domain, _) = Domain::new(&pslg, Region::Domain).expect("it is clean");
-        carve(triangulate(&domain).expect("it can be triangulated"), &domain)
+        let (domain, initial) = triangulate(domain).expect("it can be triangulated");
+        carve(initial, &domain)
     }
 
     /// Every third slot is bad, every 29th stays.

@@ -1,25 +1,19 @@
 //! The initial constrained Delaunay triangulation: points along a Hilbert curve, then segments.
 
-use std::borrow::Cow;
-
 use super::constraints::constrain;
 use super::insertion::{GHOST, delaunay};
 use super::{Edge, Triangle, Triangulation};
 use crate::Region;
 use crate::corners::each;
-use crate::domain::Domain;
-use crate::hilbert::Curve;
-use crate::radix::sort_by_upper_half;
+use crate::domain::{Domain, extent};
 
 /// The constrained Delaunay triangulation of a whole domain's convex hull (or of a box around it),
 /// before carving.
 #[derive(Debug)]
 pub struct Initial {
-    /// The domain's points along a Hilbert curve; behind them, where the whole is refined
-    /// ([`Region::Global`]), the corners of a box around them.
+    /// The domain's points; behind them, where the whole is refined ([`Region::Global`]), the corners
+    /// of a box around them.
     pub points: Vec<[f64; 2]>,
-    /// For each point of the domain, its index there.
-    pub domain_points: Vec<u32>,
     /// All triangles, in the order of their first vertices.
     pub triangles: Vec<Triangle>,
     /// The triangles at an edge of the convex hull that is no segment.
@@ -41,41 +35,31 @@ pub enum Error {
     Range,
 }
 
-/// Triangulates the convex hull of the domain, with every segment an edge.
+/// Triangulates the convex hull of the domain, with every segment an edge. Returns the domain too,
+/// with its points in the order of the vertices.
 ///
 /// Where the whole is refined it is a box. A segment along the hull would have nothing behind it but
 /// triangles as flat as rounding made them, and a point that splits it would lie beyond those.
 ///
 /// # Errors
 /// See [`Error`].
-pub fn triangulate(domain: &Domain) -> Result<Initial, Error> {
+pub fn triangulate(domain: Domain) -> Result<(Domain, Initial), Error> {
     if domain.points.len() >= 1 << 27 {
         return Err(Error::TooManyPoints);
     }
-    let mut order = along_hilbert_curve(&domain.points);
-    let mut points = Cow::Borrowed(&domain.points);
-    if domain.region == Region::Global {
-        order.extend((points.len() as u32..).take(4));
-        points.to_mut().extend(box_around(&domain.points));
-    }
-    let (mut mesh, mut domain_points) = delaunay(order, &points).ok_or(Error::Range)?;
-    domain_points.truncate(domain.points.len());
-    constrain(&mut mesh, segments(domain, &domain_points)).map_err(|_| Error::Range)?;
-    Ok(without_ghosts(mesh, domain_points))
-}
-
-/// The segments by the vertices of their points: vertex i + 1 is `domain_points[i]`.
-fn segments(domain: &Domain, domain_points: &[u32]) -> impl Iterator<Item = [u32; 2]> {
-    let mut vertices = vec![0; domain_points.len()];
-    for (vertex, &point) in (1..).zip(domain_points) {
-        vertices[point as usize] = vertex;
-    }
-    domain.segments.iter().map(move |ends| ends.map(|point| vertices[point as usize]))
+    let domain = domain.along_hilbert_curve();
+    let around = (domain.region == Region::Global).then(|| box_around(&domain.points));
+    let mut mesh =
+        delaunay(&domain.points, around.as_slice().as_flattened()).ok_or(Error::Range)?;
+    // Vertex i + 1 is point i, until the ghosts' vertex goes.
+    let segments = domain.segments.iter().map(|ends| ends.map(|point| point + 1));
+    constrain(&mut mesh, segments).map_err(|_| Error::Range)?;
+    Ok((domain, without_ghosts(mesh)))
 }
 
 /// The triangles that are none, taken out; the others in the order of their first vertices, for
 /// locality.
-fn without_ghosts(mesh: Triangulation, domain_points: Vec<u32>) -> Initial {
+fn without_ghosts(mesh: Triangulation) -> Initial {
     let Triangulation { mut points, triangles: with_ghosts, .. } = mesh;
     let (places, count) = places_without_ghosts(&with_ghosts, points.len());
     let mut open = Vec::new();
@@ -96,7 +80,7 @@ fn without_ghosts(mesh: Triangulation, domain_points: Vec<u32>) -> Initial {
         });
     }
     points.remove(GHOST as usize);
-    Initial { points, domain_points, triangles, open }
+    Initial { points, triangles, open }
 }
 
 /// The new slot of each triangle, by its first vertex, and how many are left: ghosts, which are not,
@@ -127,41 +111,4 @@ fn box_around(points: &[[f64; 2]]) -> [[f64; 2]; 4] {
     let size = (high[0] - low[0]).max(high[1] - low[1]);
     let ([left, bottom], [right, top]) = (low.map(|c| c - size), high.map(|c| c + size));
     [[left, bottom], [right, bottom], [right, top], [left, top]]
-}
-
-/// The least and the largest coordinates.
-fn extent(points: impl Iterator<Item = [f64; 2]>) -> ([f64; 2], [f64; 2]) {
-    let empty = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    points.fold(empty, |(low, high), point| {
-        ([0, 1].map(|i| low[i].min(point[i])), [0, 1].map(|i| high[i].max(point[i])))
-    })
-}
-
-/// The indices of the points in their order along a Hilbert curve through their bounding square.
-/// Scaling by a power of two changes nothing.
-fn along_hilbert_curve(points: &[[f64; 2]]) -> Vec<u32> {
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    sort_along_hilbert_curve(points, &mut order);
-    order
-}
-
-/// So many points may share a cell of the curve; more get a curve of their own, or the walks
-/// through a cluster would be long.
-const CLUSTER: usize = 64;
-
-fn sort_along_hilbert_curve(points: &[[f64; 2]], indices: &mut [u32]) {
-    let (low, high) = extent(indices.iter().map(|&i| points[i as usize]));
-    let curve = Curve::new(low, high);
-    let placed = indices.iter().map(|&i| (points[i as usize], u64::from(i)));
-    let mut placed: Vec<u64> = placed.map(|(p, i)| u64::from(curve.place(p)) << 32 | i).collect();
-    sort_by_upper_half(&mut placed);
-    indices.iter_mut().zip(&placed).for_each(|(i, &placed)| *i = placed as u32);
-    let mut rest = indices;
-    for cell in placed.chunk_by(|a, b| a >> 32 == b >> 32) {
-        let (own, others) = rest.split_at_mut(cell.len());
-        if cell.len() > CLUSTER && cell.len() < placed.len() {
-            sort_along_hilbert_curve(points, own);
-        }
-        rest = others;
-    }
 }

@@ -18,32 +18,19 @@ pub(super) fn ghost_corner(vertices: [u32; 3]) -> Option<usize> {
     vertices.iter().position(|&v| v == GHOST)
 }
 
-/// Triangulates points that are distinct and not all on one line, in the given order, each found
-/// by a walk from the one before: so they should come along a curve.
+/// Triangulates points, then those `around` them, in the given order, each found by a walk from the
+/// one before: so they should come along a curve. All are distinct, and the first three are on no
+/// line.
 ///
-/// Returns the triangulation, ghosts included, and the order in which the points came (the third
-/// is the first that is not on a line with the first two): vertex i + 1 is the i-th of them.
-/// `None` where there is no such third point, or a point is there twice.
-pub(super) fn delaunay(
-    mut order: Vec<u32>,
-    points: &[[f64; 2]],
-) -> Option<(Triangulation, Vec<u32>)> {
-    let at = |i: u32| points[i as usize];
-    let &[first, second, ..] = &order[..] else { return None };
-    let third = order[2..].iter().position(|&i| side(at(first), at(second), at(i)) != Side::On)?;
-    order[2..third + 3].rotate_right(1);
-
-    let mut growing = Growing::of_triangle([first, second, order[2]].map(at), points.len());
-    // (Many are fetched at once: one by one, each would be waited for.)
-    let mut places = Vec::new();
-    for many in order[3..].chunks(4096) {
-        places.clear();
-        places.extend(many.iter().map(|&i| at(i)));
-        for &point in &places {
-            growing.insert(point).ok()?;
-        }
+/// Returns the triangulation, ghosts included: vertex i + 1 is point i. `None` where the first three
+/// points are on a line, or a point is there twice.
+pub(super) fn delaunay(points: &[[f64; 2]], around: &[[f64; 2]]) -> Option<Triangulation> {
+    let (&first, others) = points.split_first_chunk()?;
+    let mut growing = Growing::of_triangle(first, points.len() + around.len())?;
+    for &point in others.iter().chain(around) {
+        growing.insert(point).ok()?;
     }
-    Some((growing.mesh, order))
+    Some(growing.mesh)
 }
 
 /// A triangulation that grows.
@@ -55,9 +42,13 @@ struct Growing {
 }
 
 impl Growing {
-    /// One triangle and its three ghosts, with room for `count` points.
-    fn of_triangle([a, b, c]: [[f64; 2]; 3], count: usize) -> Self {
-        let vertices = if side(a, b, c) == Side::Left { [1, 2, 3] } else { [1, 3, 2] };
+    /// One triangle and its three ghosts, with room for `count` points; `None` where it is flat.
+    fn of_triangle([a, b, c]: [[f64; 2]; 3], count: usize) -> Option<Self> {
+        let vertices = match side(a, b, c) {
+            Side::Left => [1, 2, 3],
+            Side::Right => [1, 3, 2],
+            Side::On => return None,
+        };
         let mut triangles = Vec::with_capacity(2 * count + 2);
         triangles.push(Triangle { vertices, neighbors: [1, 2, 3].map(|slot| Edge::new(slot, 0)) });
         for i in 0..3 {
@@ -75,7 +66,7 @@ impl Growing {
         let mut points = Vec::with_capacity(count + 1);
         points.extend([[0.0; 2], a, b, c]);
         let mesh = Triangulation { points, triangles, ..Triangulation::default() };
-        Self { mesh, cavity: Cavity::default(), last: 0 }
+        Some(Self { mesh, cavity: Cavity::default(), last: 0 })
     }
 
     fn insert(&mut self, point: [f64; 2]) -> Result<(), Rejected> {

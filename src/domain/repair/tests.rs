@@ -242,7 +242,7 @@ proptest! {
         let given = file(&points, &segments);
         let outline = repair(&given, 0.0).expect("it can be mended").outline;
         let Ok((domain, _)) = Domain::new(&outline, Region::Domain) else { return Ok(()) };
-        let initial = triangulate(&domain).expect("it can be triangulated");
+        let (_, initial) = triangulate(domain).expect("it can be triangulated");
         let cross = |[a, b]: [[f64; 2]; 2]| a[0] * b[1] - a[1] * b[0];
         let wound: f64 = initial.triangles.iter().map(|triangle| {
             let [a, b, c] = triangle.vertices.map(|v| initial.points[v as usize]);

@@ -60,10 +60,10 @@ fn room() -> Pslg {
 /// Refines an outline and lets `judge` see what came of it, with a thinner for it.
 fn finished(pslg: &Pslg, parameters: Parameters, judge: impl Fn(&mut Refinement, &mut Thinner)) {
     let (domain, _) = Domain::new(pslg, parameters.region).expect("it is clean");
-    let initial = triangulate(&domain).expect("it can be triangulated");
-    let segments = Segments::of(&domain, &initial.domain_points, domain.floor());
+    let (domain, initial) = triangulate(domain).expect("it can be triangulated");
+    let segments = Segments::of(&domain, domain.floor());
     let sizing = Sizing::new(parameters.max_area, &[None], &[]);
-    let sizes = Sizes::of(&domain, &initial.domain_points, initial.points.len());
+    let sizes = Sizes::of(&domain, initial.points.len());
     let carved = carve(initial, &domain);
     let mut refinement = Refinement::new(carved, segments, sizing, sizes, &domain, &parameters);
     refine(&mut refinement, &mut |_| ControlFlow::Continue(()));

@@ -7,16 +7,15 @@ use crate::refine::incremental::{Feature, Introduction};
 /// How the outline calls what a refinement knows by its own indices and scale.
 #[derive(Debug)]
 pub(crate) struct Names<'a> {
+    /// Its points are the first vertices.
     domain: &'a Domain,
-    /// Which point of the domain each of the first vertices is.
-    domain_points: &'a [u32],
     /// How many points the outline has.
     outline_points: u32,
 }
 
 impl<'a> Names<'a> {
-    pub fn new(domain: &'a Domain, domain_points: &'a [u32], outline_points: usize) -> Self {
-        Self { domain, domain_points, outline_points: outline_points as u32 }
+    pub fn new(domain: &'a Domain, outline_points: usize) -> Self {
+        Self { domain, outline_points: outline_points as u32 }
     }
 
     /// The event in the outline's terms.
@@ -64,9 +63,9 @@ impl<'a> Names<'a> {
     }
 
     fn vertex(&self, vertex: u32) -> u32 {
-        match self.domain_points.get(vertex as usize) {
-            Some(&point) => self.domain.input_points[point as usize],
-            None => vertex - self.domain_points.len() as u32 + self.outline_points,
+        match self.domain.input_points.get(vertex as usize) {
+            Some(&input) => input,
+            None => vertex - self.domain.input_points.len() as u32 + self.outline_points,
         }
     }
 

@@ -27,10 +27,8 @@ fn edges(triangles: impl Iterator<Item = [usize; 3]>) -> Edges {
     edges
 }
 
-/// By the indices of the domain's points.
 fn of_ours(initial: &Initial) -> Edges {
-    let points = |v: u32| initial.domain_points[v as usize] as usize;
-    edges(initial.triangles.iter().map(|triangle| triangle.vertices.map(points)))
+    edges(initial.triangles.iter().map(|triangle| triangle.vertices.map(|v| v as usize)))
 }
 
 fn of_spade(domain: &Domain) -> Edges {
@@ -47,7 +45,7 @@ fn of_spade(domain: &Domain) -> Edges {
 /// The two may differ only where four points lie on one circle, exactly.
 fn agrees_with_spade(outline: &Pslg, region: Region) {
     let (domain, _) = Domain::new(outline, region).expect("it is clean");
-    let initial = triangulate(&domain).expect("it is within range");
+    let (domain, initial) = triangulate(domain).expect("it is within range");
     let (ours, spades) = (of_ours(&initial), of_spade(&domain));
     assert_eq!(ours.len(), spades.len());
     let at = |v: usize| {

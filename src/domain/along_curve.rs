@@ -1,0 +1,94 @@
+//! The domain's points in the order in which they are triangulated.
+
+use std::sync::OnceLock;
+
+use super::{Domain, hull};
+use crate::hilbert::Curve;
+use crate::radix::sort_by_upper_half;
+
+impl Domain {
+    /// The same domain with its points along a Hilbert curve, so that what is near in the plane is
+    /// near in memory. (The third is the first that is not on a line with the first two.) Segments
+    /// and faces keep their numbers; [`Domain::input_points`] tells which point each one is.
+    #[must_use]
+    pub fn along_hilbert_curve(self) -> Self {
+        let mut order = along_hilbert_curve(&self.points);
+        let at = |i: u32| self.points[i as usize];
+        if let [first, second, ref others @ ..] = order[..] {
+            let is_third = |&i: &u32| !hull::is_on_a_line(&[first, second, i].map(at));
+            let third = others.iter().position(is_third);
+            order[2..].get_mut(..=third.unwrap_or(0)).unwrap_or_default().rotate_right(1);
+        }
+        self.in_order(&order)
+    }
+
+    /// The same domain with its points in another order.
+    fn in_order(mut self, order: &[u32]) -> Self {
+        let mut places = vec![0; order.len()];
+        (0..).zip(order).for_each(|(place, &point)| places[point as usize] = place);
+        self.segments.iter_mut().flatten().for_each(|end| *end = places[*end as usize]);
+        drop(places);
+        let mut adjoining_start = Vec::with_capacity(order.len() + 1);
+        let mut adjoining = Vec::with_capacity(self.adjoining.len());
+        adjoining_start.push(0);
+        for &point in order {
+            adjoining.extend_from_slice(self.adjoining(point));
+            adjoining_start.push(adjoining.len() as u32);
+        }
+        Self {
+            points: sorted(&self.points, order),
+            input_points: sorted(&self.input_points, order),
+            point_sizes: sorted(&self.point_sizes, order),
+            meshed_points: sorted(&self.meshed_points, order),
+            adjoining_start,
+            adjoining,
+            features: OnceLock::new(),
+            ..self
+        }
+    }
+}
+
+/// What there is for each point, if anything, in another order.
+fn sorted<T: Copy>(of_points: &[T], order: &[u32]) -> Vec<T> {
+    match of_points {
+        [] => Vec::new(),
+        _ => order.iter().map(|&point| of_points[point as usize]).collect(),
+    }
+}
+
+/// The least and the largest coordinates.
+pub fn extent(points: impl Iterator<Item = [f64; 2]>) -> ([f64; 2], [f64; 2]) {
+    let empty = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    points.fold(empty, |(low, high), point| {
+        ([0, 1].map(|i| low[i].min(point[i])), [0, 1].map(|i| high[i].max(point[i])))
+    })
+}
+
+/// The indices of the points in their order along a Hilbert curve through their bounding square.
+/// Scaling by a power of two changes nothing.
+fn along_hilbert_curve(points: &[[f64; 2]]) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    sort_along_hilbert_curve(points, &mut order);
+    order
+}
+
+/// So many points may share a cell of the curve; more get a curve of their own, or the walks
+/// through a cluster would be long.
+const CLUSTER: usize = 64;
+
+fn sort_along_hilbert_curve(points: &[[f64; 2]], indices: &mut [u32]) {
+    let (low, high) = extent(indices.iter().map(|&i| points[i as usize]));
+    let curve = Curve::new(low, high);
+    let placed = indices.iter().map(|&i| (points[i as usize], u64::from(i)));
+    let mut placed: Vec<u64> = placed.map(|(p, i)| u64::from(curve.place(p)) << 32 | i).collect();
+    sort_by_upper_half(&mut placed);
+    indices.iter_mut().zip(&placed).for_each(|(i, &placed)| *i = placed as u32);
+    let mut rest = indices;
+    for cell in placed.chunk_by(|a, b| a >> 32 == b >> 32) {
+        let (own, others) = rest.split_at_mut(cell.len());
+        if cell.len() > CLUSTER && cell.len() < placed.len() {
+            sort_along_hilbert_curve(points, own);
+        }
+        rest = others;
+    }
+}
