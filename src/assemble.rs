@@ -8,6 +8,7 @@ use crate::corners::each;
 use crate::domain::Domain;
 use crate::formats::{Membership, Mesh, Pslg, Tag};
 use crate::refine::Refinement;
+use crate::refine::provenance::Provenances;
 use crate::triangulation::{Edge, Triangle, Triangulation};
 
 /// The mesh of a refinement, in the outline's own coordinates, numbers and tags.
@@ -22,38 +23,45 @@ pub fn assemble(
     pslg: &Pslg,
 ) -> Mesh {
     refinement.mesh.forget_anchors();
+    let pieces = subsegments(&refinement);
     let order = OutputOrder::of(&refinement.mesh, pslg.points.len(), &domain.input_points);
-    let mut mesh = Mesh {
-        groups: pslg.groups.clone(),
-        point_data: interpolate(
-            &pslg.point_attributes,
-            initial,
-            &refinement,
-            domain,
-            order.vertices(),
-        ),
-        ..Mesh::default()
-    };
-    let edges = subsegments(&refinement);
-    mesh.edge_tags = edges.iter().map(|edge| domain.segment_tags[edge.segment as usize]).collect();
-    mesh.edge_segments =
-        edges.iter().map(|edge| domain.input_segments[edge.segment as usize]).collect();
-    mesh.edges = edges.into_iter().map(|edge| edge.ends.map(|v| order.place(v))).collect();
-    mesh.memberships = memberships(&order, &mesh.edge_segments, domain, pslg);
-    mesh.point_markers = markers(&refinement, &order, domain, pslg);
-    mesh.provenance = order.vertices().map(|v| refinement.provenances.kind(v)).collect();
-    // The large arrays last: by then all that only the refinement needs is given back.
+    let point_data =
+        interpolate(&pslg.point_attributes, initial, &refinement, domain, order.vertices());
     let Triangulation { points, triangles, regions, .. } = mem::take(&mut refinement.mesh);
+    let provenances = mem::take(&mut refinement.provenances);
     drop(refinement);
-    mesh.points = order.sorted(points);
-    if domain.scale_exponent != 0 {
-        let unscaled = |c| libm::scalbn(c, domain.scale_exponent);
-        mesh.points.iter_mut().for_each(|point| *point = point.map(unscaled));
+    // The triangles first: that gives half of their memory back for all that follows.
+    let triangles = renamed(triangles, &order);
+    let ends = pieces.ends.into_iter().map(|ends| ends.map(|v| order.place(v)));
+    let edge_segments: Vec<u32> =
+        pieces.segments.iter().map(|&segment| domain.input_segments[segment as usize]).collect();
+    Mesh {
+        points: unscaled(order.sorted(points), domain.scale_exponent),
+        triangle_tags: region_tags(regions, triangles.len(), domain),
+        triangles,
+        edges: ends.collect(),
+        edge_tags: pieces
+            .segments
+            .iter()
+            .map(|&segment| domain.segment_tags[segment as usize])
+            .collect(),
+        memberships: memberships(&order, &edge_segments, domain, pslg),
+        edge_segments,
+        point_markers: markers(&provenances, &order, domain, pslg),
+        provenance: order.vertices().map(|v| provenances.kind(v)).collect(),
+        point_data,
+        groups: pslg.groups.clone(),
+        ..Mesh::default()
     }
-    mesh.triangles = renamed(triangles, &order);
-    drop(order);
-    mesh.triangle_tags = region_tags(regions, mesh.triangles.len(), domain);
-    mesh
+}
+
+/// Points in the outline's own coordinates.
+fn unscaled(mut points: Vec<[f64; 2]>, scale_exponent: i32) -> Vec<[f64; 2]> {
+    if scale_exponent != 0 {
+        let unscaled = |c| libm::scalbn(c, scale_exponent);
+        points.iter_mut().for_each(|point| *point = point.map(unscaled));
+    }
+    points
 }
 
 /// The corners of triangles by their new numbers. (From the last one on, so that the memory of
@@ -136,17 +144,14 @@ impl OutputOrder {
     }
 }
 
-/// A piece of a segment in the mesh.
-struct Subsegment {
-    segment: u32,
-    ends: [u32; 2],
-    /// Twice the distance of its middle from the segment's first end.
-    along: f64,
+/// Every subsegment once, segment by segment, each in order from its first end to its second. The
+/// meshed side of a boundary edge is to its left.
+struct Subsegments {
+    ends: Vec<[u32; 2]>,
+    segments: Vec<u32>,
 }
 
-/// Every subsegment once, segment by segment, each in order from its first end to its second.
-/// The meshed side of a boundary edge is to its left.
-fn subsegments(refinement: &Refinement) -> Vec<Subsegment> {
+fn subsegments(refinement: &Refinement) -> Subsegments {
     let mesh = &refinement.mesh;
     let is_first = |&edge: &Edge| {
         let behind = mesh.behind(edge);
@@ -158,13 +163,17 @@ fn subsegments(refinement: &Refinement) -> Vec<Subsegment> {
     found.extend(edges().filter_map(|edge| {
         let ends = mesh.ends(edge);
         let segment = refinement.segment_of(ends)?;
-        let along = ends.iter().map(|&v| refinement.distance_along(segment, v)).sum();
-        Some(Subsegment { segment, ends, along })
+        // Twice the distance of its middle from the segment's first end.
+        let along: f64 = ends.iter().map(|&v| refinement.distance_along(segment, v)).sum();
+        Some((segment, along, ends))
     }));
-    found.sort_unstable_by(|a: &Subsegment, b| {
-        a.segment.cmp(&b.segment).then(a.along.total_cmp(&b.along))
+    found.sort_unstable_by(|(s, along_s, _), (t, along_t, _)| {
+        s.cmp(t).then(along_s.total_cmp(along_t))
     });
-    found
+    Subsegments {
+        ends: found.iter().map(|&(_, _, ends)| ends).collect(),
+        segments: found.iter().map(|&(segment, _, _)| segment).collect(),
+    }
 }
 
 /// The tags of the triangles' regions; where there is no region, of so many `triangles`.
@@ -215,12 +224,17 @@ fn memberships(
 }
 
 /// The outline's markers; a point that splits a segment inherits the segment's tag.
-fn markers(refinement: &Refinement, order: &OutputOrder, domain: &Domain, pslg: &Pslg) -> Vec<Tag> {
+fn markers(
+    provenances: &Provenances,
+    order: &OutputOrder,
+    domain: &Domain,
+    pslg: &Pslg,
+) -> Vec<Tag> {
     if pslg.point_markers.is_empty() && domain.segment_tags.iter().all(|&tag| tag == 0) {
         return Vec::new();
     }
     let marker = |v: u32| {
-        if let Some(point) = refinement.provenances.segment_point(v) {
+        if let Some(point) = provenances.segment_point(v) {
             return domain.segment_tags[point.segment as usize];
         }
         let input = domain.input_points.get(v as usize);

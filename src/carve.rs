@@ -82,7 +82,7 @@ pub fn faces_of_triangles(initial: &Initial, domain: &Domain) -> Vec<u32> {
 /// The face to the left of the segment from one vertex to another; `None` if there is none.
 fn face_to_the_left(domain: &Domain, [a, b]: [u32; 2]) -> Option<u32> {
     // The corners of the box around are none of the domain's points.
-    if a.max(b) as usize >= domain.points.len() {
+    if a.max(b) as usize >= domain.input_points.len() {
         return None;
     }
     let fewer = if domain.adjoining(a).len() <= domain.adjoining(b).len() { a } else { b };

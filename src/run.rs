@@ -216,10 +216,14 @@ fn unjudged(
     let (domain, warnings) = Domain::new(pslg, parameters.region)?;
     let exact_before = predicates::exact_answers();
     let smallest_input_angle = InputAngle::smallest(&domain);
-    let (domain, initial) = triangulate(domain)?;
+    let (mut domain, initial) = triangulate(domain)?;
+    if parameters.soft_angle.is_none() {
+        domain.forget_points(); // the triangulation has them, and lfs is asked for that angle only
+    }
+    let domain = domain;
     let has_attributes = !pslg.point_attributes.is_empty();
     let kept = if has_attributes { initial.triangles.clone() } else { Vec::new() };
-    let segments = Segments::of(&domain, domain.floor());
+    let segments = Segments::of(&domain, &initial.points, domain.floor());
     let sizing = sizing(parameters, &domain);
     let sizes = Sizes::of(&domain, initial.points.len());
     let carved = carve(initial, &domain);

@@ -22,6 +22,12 @@ impl Domain {
         self.in_order(&order)
     }
 
+    /// Gives the memory of the points back where nothing asks for them, or for
+    /// [`lfs`](Domain::lfs), any more.
+    pub fn forget_points(&mut self) {
+        self.points = Vec::new();
+    }
+
     /// The same domain with its points in another order.
     fn in_order(mut self, order: &[u32]) -> Self {
         let mut places = vec![0; order.len()];

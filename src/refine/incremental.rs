@@ -57,15 +57,15 @@ pub(super) struct Introduced {
 }
 
 impl Introduced {
-    /// Nothing has.
-    pub(super) fn none_of(domain: &Domain) -> Self {
-        let ends = domain.segments.iter().map(|ends| ends.map(|v| domain.points[v as usize]));
+    /// Nothing has, of a domain whose points are the first of `points`.
+    pub(super) fn none_of(domain: &Domain, points: &[[f64; 2]]) -> Self {
+        let ends = domain.segments.iter().map(|ends| ends.map(|v| points[v as usize]));
         let discs: Vec<_> = ends.map(|[a, b]| around_diametral_disc(a, b)).collect();
         Self {
             discs: Boxes::new(&discs),
             segments: vec![false; domain.segments.len()],
-            vertices: vec![false; domain.points.len()],
-            waiting: vec![Vec::new(); domain.points.len()],
+            vertices: vec![false; domain.input_points.len()],
+            waiting: vec![Vec::new(); domain.input_points.len()],
             order: Vec::new(),
         }
     }

@@ -213,8 +213,9 @@ impl<'a> Refinement<'a> {
     ) -> Self {
         let worst_first =
             parameters.steiner == Steiner::Circumcenter || parameters.rule != Rule::Adaptive;
+        let introduced = parameters.incremental.then(|| Introduced::none_of(domain, &mesh.points));
         Self {
-            provenances: Provenances::of_inputs(domain.points.len(), mesh.points.len()),
+            provenances: Provenances::of_inputs(domain.input_points.len(), mesh.points.len()),
             mesh,
             segments,
             is_sized: sizing.has_bounds() || sizes.is_some(),
@@ -233,7 +234,7 @@ impl<'a> Refinement<'a> {
             pending: VecDeque::new(),
             cavity: Cavity::default(),
             survey: Survey::default(),
-            introduced: parameters.incremental.then(|| Introduced::none_of(domain)),
+            introduced,
         }
     }
 

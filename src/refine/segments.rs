@@ -28,11 +28,12 @@ pub struct Segments<'a> {
 const GAP_NEIGHBOURS: usize = 32;
 
 impl<'a> Segments<'a> {
-    /// The segments of a domain. No split makes a piece shorter than `floor`.
+    /// The segments of a domain, whose points are the first of `points`. No split makes a piece shorter
+    /// than `floor`.
     #[must_use]
-    pub fn of(domain: &'a Domain, floor: f64) -> Self {
+    pub fn of(domain: &'a Domain, points: &[[f64; 2]], floor: f64) -> Self {
         let mut made = Self { ends: &domain.segments, domain, sines: Vec::new(), floor };
-        made.sines = made.smallest_sines();
+        made.sines = made.smallest_sines(points);
         made
     }
 
@@ -59,10 +60,7 @@ impl<'a> Segments<'a> {
     /// The angle between two segments at the end they share.
     #[must_use]
     pub fn angle(&self, s: u32, t: u32, shared: [End; 2], points: &[[f64; 2]]) -> Angle {
-        self.angle_of(s, t, shared, |v| points[v as usize])
-    }
-
-    fn angle_of(&self, s: u32, t: u32, shared: [End; 2], at: impl Fn(u32) -> [f64; 2]) -> Angle {
+        let at = |v: u32| points[v as usize];
         let (s, t) = (self.ends[s as usize], self.ends[t as usize]);
         let [i, j] = shared.map(usize::from);
         Angle::at(at(s[i]), at(s[1 - i]), at(t[1 - j]))
@@ -190,10 +188,9 @@ impl<'a> Segments<'a> {
 
     /// For each end of each segment, the sine of the smallest angle below 90° there, or 0. The
     /// smallest angle is one to a rotational neighbour.
-    fn smallest_sines(&self) -> Vec<[f64; 2]> {
-        let at = |vertex: u32| self.domain.points[vertex as usize];
+    fn smallest_sines(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let mut sines = vec![[0.0; 2]; self.ends.len()];
-        for vertex in 0..self.domain.points.len() as u32 {
+        for vertex in 0..self.domain.input_points.len() as u32 {
             let around = self.at(vertex);
             let pairs = match around.len() {
                 0 | 1 => 0,
@@ -203,7 +200,7 @@ impl<'a> Segments<'a> {
             for i in 0..pairs {
                 let (s, t) = (around[i], around[(i + 1) % around.len()]);
                 let Some(shared) = self.shared_end(s, t) else { continue };
-                let angle = self.angle_of(s, t, shared, at);
+                let angle = self.angle(s, t, shared, points);
                 if angle.is_acute() {
                     for (segment, end) in [(s, shared[0]), (t, shared[1])] {
                         let sine = &mut sines[segment as usize][usize::from(end)];

@@ -61,7 +61,7 @@ fn room() -> Pslg {
 fn finished(pslg: &Pslg, parameters: Parameters, judge: impl Fn(&mut Refinement, &mut Thinner)) {
     let (domain, _) = Domain::new(pslg, parameters.region).expect("it is clean");
     let (domain, initial) = triangulate(domain).expect("it can be triangulated");
-    let segments = Segments::of(&domain, domain.floor());
+    let segments = Segments::of(&domain, &initial.points, domain.floor());
     let sizing = Sizing::new(parameters.max_area, &[None], &[]);
     let sizes = Sizes::of(&domain, initial.points.len());
     let carved = carve(initial, &domain);
