@@ -7,6 +7,7 @@ use crate::attributes::interpolate;
 use crate::corners::each;
 use crate::domain::Domain;
 use crate::formats::{Membership, Mesh, Pslg, Tag};
+use crate::memory::give_back;
 use crate::refine::Refinement;
 use crate::refine::provenance::Provenances;
 use crate::triangulation::{Edge, Triangle, Triangulation};
@@ -132,6 +133,7 @@ impl OutputOrder {
     fn sorted(&self, mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
         let inputs: Vec<_> = self.inputs.iter().map(|&v| points[v as usize]).collect();
         points[..inputs.len()].copy_from_slice(&inputs);
+        give_back(inputs);
         for v in self.first_other..points.len() {
             // (Nothing comes later than it stood.)
             if self.places[v] != u32::MAX {

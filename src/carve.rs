@@ -1,8 +1,11 @@
 //! Exterior and holes out, regions in.
 
+use std::mem;
+
 use crate::Region;
 use crate::corners::{each, next, previous};
 use crate::domain::{Domain, OUTSIDE};
+use crate::memory::give_back;
 use crate::triangulation::initial::Initial;
 use crate::triangulation::{Edge, OUTSIDE_THE_REGION, Triangle, Triangulation};
 
@@ -51,7 +54,7 @@ fn meshed(
         regions.retain(|&region| region != OUTSIDE_THE_REGION);
     }
     if regions.iter().all(|&region| region == 0) {
-        regions = Vec::new();
+        give_back(mem::take(&mut regions));
     }
     Triangulation::new(points, triangles, regions)
 }

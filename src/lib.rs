@@ -50,6 +50,7 @@ pub mod domain;
 mod double_double;
 pub mod draw;
 mod hilbert;
+pub mod memory;
 mod order;
 mod outline_of;
 mod parameters;

@@ -1,5 +1,7 @@
 //! Sorting numbers whose upper half is a key and whose lower half an index: without comparisons.
 
+use crate::memory::give_back;
+
 /// Bits of the key that are looked at in one pass.
 const DIGIT: u32 = 11;
 const PASSES: usize = 3;
@@ -34,6 +36,7 @@ pub fn sort_by_upper_half(numbers: &mut Vec<u64>) {
         }
         std::mem::swap(numbers, &mut sorted);
     }
+    give_back(sorted);
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use flate2::read::MultiGzDecoder;
 use meshwright::formats::{
     Mesh, Pslg, Warning, area, ele, geo, inp, medit, msh, node, obj, poly, su2, vtk, vtu,
 };
+use meshwright::memory::give_back;
 
 use super::failure::{Exit, Failure, reason};
 use super::format::{Format, listed};
@@ -112,6 +113,7 @@ pub fn any(
             unreachable!("`format_of` refuses formats that are not read")
         }
     };
+    give_back(bytes);
     let content = match content {
         Content::Mesh(mesh) if options.refine => {
             let (areas, warnings) = match format {

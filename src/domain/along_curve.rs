@@ -1,9 +1,11 @@
 //! The domain's points in the order in which they are triangulated.
 
+use std::mem;
 use std::sync::OnceLock;
 
 use super::{Domain, hull};
 use crate::hilbert::Curve;
+use crate::memory::give_back;
 use crate::radix::sort_by_upper_half;
 
 impl Domain {
@@ -19,13 +21,15 @@ impl Domain {
             let third = others.iter().position(is_third);
             order[2..].get_mut(..=third.unwrap_or(0)).unwrap_or_default().rotate_right(1);
         }
-        self.in_order(&order)
+        let sorted = self.in_order(&order);
+        give_back(order);
+        sorted
     }
 
     /// Gives the memory of the points back where nothing asks for them, or for
     /// [`lfs`](Domain::lfs), any more.
     pub fn forget_points(&mut self) {
-        self.points = Vec::new();
+        give_back(mem::take(&mut self.points));
     }
 
     /// The same domain with its points in another order.
@@ -33,7 +37,7 @@ impl Domain {
         let mut places = vec![0; order.len()];
         (0..).zip(order).for_each(|(place, &point)| places[point as usize] = place);
         self.segments.iter_mut().flatten().for_each(|end| *end = places[*end as usize]);
-        drop(places);
+        give_back(places);
         let mut adjoining_start = Vec::with_capacity(order.len() + 1);
         let mut adjoining = Vec::with_capacity(self.adjoining.len());
         adjoining_start.push(0);
@@ -41,24 +45,22 @@ impl Domain {
             adjoining.extend_from_slice(self.adjoining(point));
             adjoining_start.push(adjoining.len() as u32);
         }
-        Self {
-            points: sorted(&self.points, order),
-            input_points: sorted(&self.input_points, order),
-            point_sizes: sorted(&self.point_sizes, order),
-            meshed_points: sorted(&self.meshed_points, order),
-            adjoining_start,
-            adjoining,
-            features: OnceLock::new(),
-            ..self
-        }
+        give_back(mem::replace(&mut self.adjoining_start, adjoining_start));
+        give_back(mem::replace(&mut self.adjoining, adjoining));
+        sort(&mut self.points, order);
+        sort(&mut self.input_points, order);
+        sort(&mut self.point_sizes, order);
+        sort(&mut self.meshed_points, order);
+        self.features = OnceLock::new();
+        self
     }
 }
 
-/// What there is for each point, if anything, in another order.
-fn sorted<T: Copy>(of_points: &[T], order: &[u32]) -> Vec<T> {
-    match of_points {
-        [] => Vec::new(),
-        _ => order.iter().map(|&point| of_points[point as usize]).collect(),
+/// Puts what there is for each point, if anything, in another order.
+fn sort<T: Copy>(of_points: &mut Vec<T>, order: &[u32]) {
+    if !of_points.is_empty() {
+        let sorted = order.iter().map(|&point| of_points[point as usize]).collect();
+        give_back(mem::replace(of_points, sorted));
     }
 }
 
@@ -97,4 +99,5 @@ fn sort_along_hilbert_curve(points: &[[f64; 2]], indices: &mut [u32]) {
         }
         rest = others;
     }
+    give_back(placed);
 }

@@ -4,6 +4,7 @@
 use super::error::{Item, Kind, Warning};
 use crate::Pslg;
 use crate::columns::in_columns;
+use crate::memory::give_back;
 
 /// The distinct points of an outline.
 pub struct Points {
@@ -21,10 +22,10 @@ pub struct Points {
 pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -> Points {
     let placed = in_columns(&scaled, 0..scaled.len() as u32);
     let duplicates = duplicates(&scaled, &placed);
-    let order = placed.into_iter().map(|placed| placed as u32);
+    let order: Vec<u32> = placed.iter().map(|&placed| placed as u32).collect();
+    give_back(placed);
     let all = 0..scaled.len() as u32;
     if duplicates.is_empty() {
-        let order = order.collect();
         return Points {
             points: scaled,
             input: all.clone().collect(),
@@ -46,7 +47,7 @@ pub fn points(pslg: &Pslg, scaled: Vec<[f64; 2]>, warnings: &mut Vec<Warning>) -
             merged.distinct.push(merged.distinct[same as usize]);
         }
     }
-    let distinct = order.filter(|&index| first[index as usize] == index);
+    let distinct = order.into_iter().filter(|&index| first[index as usize] == index);
     merged.order = distinct.map(|index| merged.distinct[index as usize]).collect();
     warnings.push(Warning::DuplicatePoints {
         count: duplicates.len(),

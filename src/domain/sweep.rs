@@ -69,6 +69,9 @@ pub enum Violation {
     Segments([u32; 2]),
 }
 
+/// So many points are fetched at once: one by one, each would be waited for.
+const FETCHED: usize = 4096;
+
 /// Sweeps the linework, and locates seeds on the way.
 ///
 /// # Errors
@@ -88,20 +91,23 @@ pub fn sweep(linework: &Linework, seeds: &[[f64; 2]]) -> Result<Located, Violati
     let mut seed_order: Vec<u32> = (0..seeds.len() as u32).filter(is_near).collect();
     seed_order.sort_by(|&i, &j| lexicographic(seeds[i as usize], seeds[j as usize]));
     let mut waiting = seed_order.into_iter().peekable();
-    // (All are fetched at once: one by one, each would be waited for.)
     let at = |&point: &u32| linework.points[point as usize];
-    let places: Vec<[f64; 2]> = linework.order.iter().map(at).collect();
-    for (&point, place) in linework.order.iter().zip(places) {
-        while let Some(seed) =
-            waiting.next_if(|&seed| lexicographic(seeds[seed as usize], place).is_le())
-        {
-            located.seeds[seed as usize] = if seeds[seed as usize] == place {
-                Place::Point(point)
-            } else {
-                sweep.locate(seeds[seed as usize])
-            };
+    let mut places = Vec::new();
+    for many in linework.order.chunks(FETCHED) {
+        places.clear();
+        places.extend(many.iter().map(at));
+        for (&point, &place) in many.iter().zip(&places) {
+            while let Some(seed) =
+                waiting.next_if(|&seed| lexicographic(seeds[seed as usize], place).is_le())
+            {
+                located.seeds[seed as usize] = if seeds[seed as usize] == place {
+                    Place::Point(point)
+                } else {
+                    sweep.locate(seeds[seed as usize])
+                };
+            }
+            located.below[point as usize] = sweep.pass(point, place)?;
         }
-        located.below[point as usize] = sweep.pass(point, place)?;
     }
     Ok(located)
 }

@@ -8,6 +8,7 @@
 use super::insertion::GHOST;
 use super::{Edge, Triangle, Triangulation};
 use crate::corners::{next, previous};
+use crate::memory::give_back;
 use crate::predicates::{Relative, Side, in_circle, side};
 
 /// A segment cannot be an edge: rounding aside, it would cross another or pass through a point.
@@ -32,7 +33,10 @@ pub(super) fn constrain(
         dangling: Vec::new(),
         stack: Vec::new(),
     };
-    segments.into_iter().try_for_each(|ends| constraining.insert(ends))
+    let constrained = segments.into_iter().try_for_each(|ends| constraining.insert(ends));
+    give_back(constraining.slots);
+    give_back(constraining.removed);
+    constrained
 }
 
 struct Constraining<'a> {

@@ -6,6 +6,7 @@ use super::{Edge, Triangle, Triangulation};
 use crate::Region;
 use crate::corners::each;
 use crate::domain::{Domain, extent};
+use crate::memory::give_back;
 
 /// The constrained Delaunay triangulation of a whole domain's convex hull (or of a box around it),
 /// before carving.
@@ -79,6 +80,8 @@ fn without_ghosts(mesh: Triangulation) -> Initial {
             Edge::OUTSIDE
         });
     }
+    give_back(with_ghosts);
+    give_back(places);
     points.remove(GHOST as usize);
     Initial { points, triangles, open }
 }
@@ -101,7 +104,9 @@ fn places_without_ghosts(triangles: &[Triangle], vertices: usize) -> (Vec<u32>, 
         *start += 1;
         *start - 1
     };
-    (triangles.iter().map(place).collect(), count)
+    let places = triangles.iter().map(place).collect();
+    give_back(starts);
+    (places, count)
 }
 
 /// The corners of a box that is larger than the points' by its size on every side: no segment's
