@@ -30,12 +30,10 @@ pub fn carve(initial: Initial, domain: &Domain) -> Triangulation {
     meshed(initial.points, initial.triangles, regions)
 }
 
-/// Whether every triangle is meshed, and in no region: then no face need be known.
+/// Whether every triangle is meshed, and in no region: then no face need be known. (With a segment
+/// along every edge of the hull, all that is outside is outside of the hull.)
 fn is_meshed_alike(initial: &Initial, domain: &Domain) -> bool {
-    domain.region == Region::Hull
-        && initial.open.is_empty()
-        && domain.faces.all_are_meshed()
-        && domain.faces.none_has_a_region()
+    initial.open.is_empty() && domain.faces.all_are_meshed() && domain.faces.none_has_a_region()
 }
 
 /// Takes out what is not meshed.

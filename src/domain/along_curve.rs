@@ -10,17 +10,12 @@ use crate::radix::sort_by_upper_half;
 
 impl Domain {
     /// The same domain with its points along a Hilbert curve, so that what is near in the plane is
-    /// near in memory. (The third is the first that is not on a line with the first two.) Segments
-    /// and faces keep their numbers; [`Domain::input_points`] tells which point each one is.
+    /// near in memory; but the first three are on no line. Segments and faces keep their numbers;
+    /// [`Domain::input_points`] tells which point each one is.
     #[must_use]
     pub fn along_hilbert_curve(self) -> Self {
         let mut order = along_hilbert_curve(&self.points);
-        let at = |i: u32| self.points[i as usize];
-        if let [first, second, ref others @ ..] = order[..] {
-            let is_third = |&i: &u32| !hull::is_on_a_line(&[first, second, i].map(at));
-            let third = others.iter().position(is_third);
-            order[2..].get_mut(..=third.unwrap_or(0)).unwrap_or_default().rotate_right(1);
-        }
+        begin_with_a_triangle(&mut order, &self.points);
         let sorted = self.in_order(&order);
         give_back(order);
         sorted
@@ -53,6 +48,17 @@ impl Domain {
         sort(&mut self.meshed_points, order);
         self.features = OnceLock::new();
         self
+    }
+}
+
+/// Makes the first point that is on no line with the first two the third.
+fn begin_with_a_triangle(order: &mut [u32], points: &[[f64; 2]]) {
+    let [first, second, others @ ..] = order else { return };
+    let on_a_line = |third: &u32| {
+        hull::is_on_a_line(&[*first, *second, *third].map(|point| points[point as usize]))
+    };
+    if let Some(third) = others.iter().position(|third| !on_a_line(third)) {
+        others[..=third].rotate_right(1);
     }
 }
 

@@ -55,18 +55,21 @@ fn by_sine(squared: f64) -> usize {
 }
 
 const BUCKETS: usize = 1 << 14;
-/// No place.
+/// So many entries stand in a row.
+const ROW: usize = 16;
+/// No row, no place.
 const NONE: u32 = u32::MAX;
 
-/// Buckets of entries, first in first out: lists through one array, so that what is used of it
-/// stays in the cache.
+/// Buckets of entries, first in first out: each a list of short rows through one array, so that what
+/// is used of it stays in the cache, and an entry hardly takes more than its own memory.
 #[derive(Debug)]
 pub struct Queue {
-    /// Each entry and the place of the one that came after it; a place that is free leads to the
-    /// next free one.
-    places: Vec<(Entry, u32)>,
+    rows: Vec<[Entry; ROW]>,
+    /// The row after each one; after a row that is free comes the next free one.
+    after: Vec<u32>,
     free: u32,
-    /// The places of each bucket's first and last entry.
+    /// The places of each bucket's first and last entry. A row's number times [`ROW`] is the place of
+    /// its first entry.
     ends: Vec<[u32; 2]>,
     /// One bit per bucket that is not empty.
     filled: [u64; BUCKETS / 64],
@@ -78,7 +81,8 @@ pub struct Queue {
 impl Default for Queue {
     fn default() -> Self {
         Self {
-            places: Vec::new(),
+            rows: Vec::new(),
+            after: Vec::new(),
             free: NONE,
             ends: vec![[NONE; 2]; BUCKETS],
             filled: [0; BUCKETS / 64],
@@ -91,27 +95,33 @@ impl Default for Queue {
 impl Queue {
     /// Puts an entry into a bucket.
     pub fn push(&mut self, bucket: usize, entry: Entry) {
-        let place = self.place(entry);
-        let [first, last] = &mut self.ends[bucket];
-        match *last {
-            NONE => *first = place,
-            last => self.places[last as usize].1 = place,
-        }
-        *last = place;
+        let [first, last] = self.ends[bucket];
+        let place = match last {
+            NONE => self.place_in_free_row(),
+            last if ends_a_row(last) => {
+                let place = self.place_in_free_row();
+                self.after[row(last)] = row(place) as u32;
+                place
+            }
+            last => last + 1,
+        };
+        self.rows[row(place)][place as usize % ROW] = entry;
+        self.ends[bucket] = [if first == NONE { place } else { first }, place];
         self.filled[bucket / 64] |= 1 << (bucket % 64);
         self.lowest = self.lowest.min(bucket / 64);
         self.length += 1;
     }
 
-    /// A place for an entry after which none came.
-    fn place(&mut self, entry: Entry) -> u32 {
-        let place = self.free;
-        if place == NONE {
-            self.places.push((entry, NONE));
-            return self.places.len() as u32 - 1;
+    /// The first place of a row that no bucket has.
+    fn place_in_free_row(&mut self) -> u32 {
+        let row = self.free;
+        if row == NONE {
+            self.rows.push([Entry { slot: 0, newest: 0 }; ROW]);
+            self.after.push(NONE);
+            return ((self.rows.len() - 1) * ROW) as u32;
         }
-        self.free = mem::replace(&mut self.places[place as usize], (entry, NONE)).1;
-        place
+        self.free = self.after[row as usize];
+        row * ROW as u32
     }
 
     /// Takes the oldest entry of the first bucket that is not empty.
@@ -120,17 +130,23 @@ impl Queue {
         self.lowest += words.iter().position(|&word| word != 0).unwrap_or(words.len());
         let word = *self.filled.get(self.lowest)?;
         let bucket = self.lowest * 64 + word.trailing_zeros() as usize;
-        let [first, last] = &mut self.ends[bucket];
-        let place = *first;
-        let (entry, after) = &mut self.places[place as usize];
-        *first = mem::replace(after, self.free);
-        self.free = place;
-        if *first == NONE {
-            *last = NONE;
+        let [first, last] = self.ends[bucket];
+        let entry = self.rows[row(first)][first as usize % ROW];
+        let is_done = first == last;
+        if is_done || ends_a_row(first) {
+            let done = row(first);
+            let after = mem::replace(&mut self.after[done], self.free);
+            self.free = done as u32;
+            self.ends[bucket][0] = after.wrapping_mul(ROW as u32);
+        } else {
+            self.ends[bucket][0] += 1;
+        }
+        if is_done {
+            self.ends[bucket] = [NONE; 2];
             self.filled[self.lowest] &= word - 1;
         }
         self.length -= 1;
-        Some(*entry)
+        Some(entry)
     }
 
     /// How many entries there are, stale ones included.
@@ -146,9 +162,20 @@ impl Queue {
     }
 }
 
+fn row(place: u32) -> usize {
+    place as usize / ROW
+}
+
+fn ends_a_row(place: u32) -> bool {
+    place as usize % ROW == ROW - 1
+}
+
 #[cfg(test)]
 mod tests {
+    use std::collections::{BTreeMap, VecDeque};
+
     use super::*;
+    use crate::random::Random;
 
     fn entry(slot: u32) -> Entry {
         Entry { slot, newest: 0 }
@@ -163,6 +190,24 @@ mod tests {
         let order: Vec<_> = std::iter::from_fn(|| queue.pop()).map(|e| e.slot).collect();
         assert_eq!(order, [2, 4, 1, 3]);
         assert!(queue.is_empty());
+    }
+
+    #[test]
+    fn many_entries_come_and_go_as_through_lists() {
+        let (mut queue, mut random) = (Queue::default(), Random::default());
+        let mut lists: BTreeMap<usize, VecDeque<Entry>> = BTreeMap::new();
+        for slot in 0..20_000 {
+            let bucket = random.below(6) as usize * 777;
+            queue.push(bucket, entry(slot));
+            lists.entry(bucket).or_default().push_back(entry(slot));
+            // In the end more go than come.
+            for _ in 0..random.below(if slot < 12_000 { 2 } else { 4 }) {
+                let expected = lists.values_mut().find_map(VecDeque::pop_front);
+                assert_eq!(queue.pop(), expected);
+            }
+        }
+        assert!(queue.is_empty());
+        assert!(queue.rows.len() * ROW < 7_000, "free rows are used again");
     }
 
     #[test]
