@@ -2,6 +2,8 @@
 
 use std::fs::{self, File};
 use std::io::{self, Cursor, Read, Seek};
+use std::mem;
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
 use flate2::read::MultiGzDecoder;
@@ -67,6 +69,7 @@ pub fn any(
     let name = path.display().to_string();
     let mut files = if stdin { Vec::new() } else { vec![path.to_path_buf()] };
     let bytes = || if stdin { read_stdin() } else { read_file(path) };
+    let bytes = || bytes().map(Bytes);
     let mut companion = |beside: &str| {
         if stdin {
             return Err(io::Error::other("stdin has no file beside it"));
@@ -113,7 +116,6 @@ pub fn any(
             unreachable!("`format_of` refuses formats that are not read")
         }
     };
-    give_back(bytes);
     let content = match content {
         Content::Mesh(mesh) if options.refine => {
             let (areas, warnings) = match format {
@@ -131,11 +133,11 @@ pub fn any(
 fn read_vtu(
     path: &Path,
     name: &str,
-    bytes: impl FnOnce() -> Result<Vec<u8>, Failure>,
+    bytes: impl FnOnce() -> Result<Bytes, Failure>,
 ) -> Result<(Mesh, Vec<Warning>), Failure> {
     let read = match plain_file(path).map_err(|error| Failure::io(path, &error))? {
         Some(file) => vtu::read_from(file, name),
-        None => vtu::read_from(Cursor::new(bytes()?), name),
+        None => vtu::read_from(Cursor::new(&*bytes()?), name),
     };
     read.map_err(|error| match error.fault {
         vtu::Fault::Io { .. } => Failure { exit: Exit::Io, message: error.to_string() },
@@ -154,6 +156,23 @@ fn plain_file(path: &Path) -> io::Result<Option<File>> {
     (&mut file).take(GZIP.len() as u64).read_to_end(&mut start)?;
     file.rewind()?;
     Ok((start != GZIP).then_some(file))
+}
+
+/// A file's bytes, which are large and not needed for long.
+struct Bytes(Vec<u8>);
+
+impl Deref for Bytes {
+    type Target = [u8];
+
+    fn deref(&self) -> &[u8] {
+        &self.0
+    }
+}
+
+impl Drop for Bytes {
+    fn drop(&mut self) {
+        give_back(mem::take(&mut self.0));
+    }
 }
 
 fn format_of(path: &Path, from: Option<Format>) -> Result<Format, Failure> {

@@ -200,13 +200,15 @@ mod tests {
             let bucket = random.below(6) as usize * 777;
             queue.push(bucket, entry(slot));
             lists.entry(bucket).or_default().push_back(entry(slot));
-            // In the end more go than come.
             for _ in 0..random.below(if slot < 12_000 { 2 } else { 4 }) {
                 let expected = lists.values_mut().find_map(VecDeque::pop_front);
                 assert_eq!(queue.pop(), expected);
             }
         }
-        assert!(queue.is_empty());
+        for expected in lists.into_values().flatten() {
+            assert_eq!(queue.pop(), Some(expected));
+        }
+        assert!(queue.is_empty() && queue.pop().is_none());
         assert!(queue.rows.len() * ROW < 7_000, "free rows are used again");
     }
 
