@@ -3,13 +3,12 @@
 //! Edges, triangles and points are taken; of curved cells and polylines the corners and pieces. See
 //! [`vtu`](crate::vtu) for the arrays that have a meaning.
 
+mod cells;
 mod column;
 mod points;
 
 use std::collections::BTreeMap;
-use std::ops::Range;
 
-use crate::assembly::{Assembly, Shape};
 use crate::error::Warning;
 use crate::groups::stated_tag;
 use crate::mesh::{Data, Mesh, Provenance, Values};
@@ -17,6 +16,7 @@ use crate::pslg::{Group, Tag};
 use crate::vtu::{MARKER, PHYSICAL, PROVENANCE, SEGMENT, TAG};
 use crate::wholes::Wholes;
 
+pub(crate) use cells::{Cells, Runs};
 pub(crate) use column::{Column, Numbers};
 pub(crate) use points::Points;
 
@@ -24,12 +24,7 @@ pub(crate) use points::Points;
 #[derive(Default)]
 pub(crate) struct Grid {
     pub points: Points,
-    /// VTK's kind of each cell.
-    pub kinds: Wholes,
-    /// Where the nodes of each cell end among all.
-    pub ends: Wholes,
-    /// The nodes of all cells.
-    pub nodes: Wholes,
+    pub cells: Cells,
     /// Arrays of points, with the right number of values.
     pub point_data: Vec<Column>,
     /// Arrays of cells, with the right number of values.
@@ -63,51 +58,29 @@ fn wrong(part: Part, index: usize, expected: &'static str, found: impl ToString)
     Wrong { part, index, expected, found: found.to_string() }
 }
 
-/// Which cell each edge and each triangle of the mesh is.
-#[derive(Default)]
-struct Cells {
-    edges: Runs,
-    triangles: Runs,
-    /// Points that are cells, and which.
-    points: Vec<(u32, usize)>,
-}
-
-/// Numbers that grow, most often by one.
-#[derive(Default)]
-pub(crate) struct Runs(Vec<Range<usize>>);
-
-impl Runs {
-    fn push(&mut self, number: usize) {
-        match self.0.last_mut() {
-            Some(last) if last.end == number => last.end += 1,
-            _ => self.0.push(number..number + 1),
-        }
-    }
-
-    fn runs(&self) -> impl Iterator<Item = Range<usize>> + '_ {
-        self.0.iter().cloned()
-    }
-
-    fn iter(&self) -> impl Iterator<Item = usize> + '_ {
-        self.runs().flatten()
-    }
-}
-
 impl Grid {
+    /// Takes the nodes of all cells.
+    pub fn take_nodes(&mut self, nodes: &Wholes) {
+        self.cells.begin(self.points.len(), nodes.len());
+        nodes.blocks(|block| self.cells.take(block));
+    }
+
     /// The mesh, and what was left out of it.
     pub fn take_mesh(&mut self, file: &str) -> Result<(Mesh, Vec<Warning>), Wrong> {
-        let mut assembly = Assembly::default();
-        self.take_points(&mut assembly)?;
+        self.points.wrong.take().map_or(Ok(()), Err)?;
+        let tags = tags(&self.cell_data)?;
+        self.cells.take(&[]);
+        self.cells.wrong.take().map_or(Ok(()), Err)?;
+        let mut assembly = self.cells.tagged(&tags);
+        assembly.mesh.points = std::mem::take(&mut self.points.places);
+        assembly.plane = self.points.plane;
         assembly.warn_of_plane(file, 0);
-        let tags = self.tags()?;
-        let cells = self.take_cells(&mut assembly, &tags)?;
-        self.take_segments(&mut assembly.mesh, &cells)?;
-        let meaning = self.meaning(&cells, &tags);
+        let meaning = self.meaning(&tags);
+        self.take_segments(&mut assembly.mesh)?;
         self.take_groups(&meaning, &mut assembly.mesh);
         self.take_markers(&mut assembly.mesh)?;
         self.check_provenance()?;
-        (self.kinds, self.ends, self.nodes) = Default::default();
-        self.take_data(&mut assembly.mesh, &cells);
+        self.take_data(&mut assembly.mesh);
         let (mut mesh, warnings) = assembly.finish(file);
         if mesh.provenance.is_empty() {
             take_provenance(&mut mesh);
@@ -115,84 +88,7 @@ impl Grid {
         Ok((mesh, warnings))
     }
 
-    fn take_points(&mut self, assembly: &mut Assembly) -> Result<(), Wrong> {
-        match self.points.wrong.take() {
-            Some(wrong) => Err(wrong),
-            None => {
-                assembly.mesh.points = std::mem::take(&mut self.points.places);
-                assembly.plane = self.points.plane;
-                Ok(())
-            }
-        }
-    }
-
-    /// The tag of each cell: the first array that has a meaning, 0 without one.
-    fn tags(&self) -> Result<Tags<'_>, Wrong> {
-        let known = [TAG, PHYSICAL, "medit:ref", "CellEntityIds"];
-        let of_cells = known.into_iter().find_map(|name| whole(&self.cell_data, name));
-        match of_cells {
-            Some((array, numbers)) => Tags::new(numbers, Part::CellData(array)),
-            None => Ok(Tags(None)),
-        }
-    }
-
-    fn take_cells(&self, assembly: &mut Assembly, tags: &Tags) -> Result<Cells, Wrong> {
-        let mut cells = Cells::default();
-        let mut start = 0;
-        let mut nodes = Vec::new();
-        for (cell, (kind, end)) in self.kinds.iter().zip(self.ends.iter()).enumerate() {
-            let range = usize::try_from(end).ok().filter(|&end| start <= end);
-            let range = range.filter(|&end| end <= self.nodes.len()).map(|end| start..end);
-            let expected = "the number of nodes so far";
-            let range = range.ok_or_else(|| wrong(Part::Ends, cell, expected, end))?;
-            start = range.end;
-            self.nodes_of(range.clone(), assembly.mesh.points.len(), &mut nodes)?;
-            let pieces = pieces(kind, range.len()).ok_or_else(|| {
-                let found = format!("{kind} ({}) of {} nodes", kind_name(kind), range.len());
-                wrong(Part::Kinds, cell, "3 (line), 5 (triangle) or 1 (vertex)", found)
-            })?;
-            match pieces {
-                Pieces::Points => {
-                    for &node in &nodes {
-                        cells.points.push((node, cell));
-                        assembly.push(Shape::Point, &[node], tags.of(cell));
-                    }
-                }
-                Pieces::Chain => {
-                    for pair in nodes.windows(2) {
-                        cells.edges.push(cell);
-                        assembly.push(Shape::Edge, pair, tags.of(cell));
-                    }
-                }
-                Pieces::One(shape) => {
-                    assembly.push(shape, &nodes, tags.of(cell));
-                    let of_shape =
-                        if shape == Shape::Edge { &mut cells.edges } else { &mut cells.triangles };
-                    of_shape.push(cell);
-                }
-            }
-        }
-        Ok(cells)
-    }
-
-    fn nodes_of(
-        &self,
-        range: Range<usize>,
-        points: usize,
-        nodes: &mut Vec<u32>,
-    ) -> Result<(), Wrong> {
-        nodes.clear();
-        for index in range {
-            let node = self.nodes.at(index);
-            match u32::try_from(node) {
-                Ok(point) if (point as usize) < points => nodes.push(point),
-                _ => return Err(wrong(Part::Nodes, index, "a point", node)),
-            }
-        }
-        Ok(())
-    }
-
-    fn take_segments(&self, mesh: &mut Mesh, cells: &Cells) -> Result<(), Wrong> {
+    fn take_segments(&self, mesh: &mut Mesh) -> Result<(), Wrong> {
         let Some((array, numbers)) = whole(&self.cell_data, SEGMENT) else { return Ok(()) };
         let segment = |cell: usize| {
             let number = numbers.at(cell);
@@ -200,12 +96,12 @@ impl Grid {
             let expected = "a segment's number or -1";
             segment.ok_or_else(|| wrong(Part::CellData(array), cell, expected, number))
         };
-        mesh.edge_segments = cells.edges.iter().map(segment).collect::<Result<_, _>>()?;
+        mesh.edge_segments = self.cells.edges.iter().map(segment).collect::<Result<_, _>>()?;
         Ok(())
     }
 
     /// Which tag the number of a group stands for, by dimension and number.
-    fn meaning(&self, cells: &Cells, tags: &Tags) -> BTreeMap<(u8, i64), Tag> {
+    fn meaning(&self, tags: &Tags) -> BTreeMap<(u8, i64), Tag> {
         let physical = whole(&self.cell_data, PHYSICAL).map(|(_, numbers)| numbers);
         let mut meaning = BTreeMap::new();
         let mut last = None;
@@ -217,9 +113,9 @@ impl Grid {
                 meaning.entry((dim, number)).or_insert(tag);
             }
         };
-        cells.points.iter().for_each(|&(_, cell)| add(0, cell));
-        cells.edges.iter().for_each(|cell| add(1, cell));
-        cells.triangles.iter().for_each(|cell| add(2, cell));
+        self.cells.points.iter().for_each(|&(_, cell)| add(0, cell));
+        self.cells.edges.iter().for_each(|cell| add(1, cell));
+        self.cells.triangles.iter().for_each(|cell| add(2, cell));
         meaning
     }
 
@@ -266,7 +162,7 @@ impl Grid {
 
     /// The data that have no other meaning; provenance stays among those of points where some have
     /// none.
-    fn take_data(&mut self, mesh: &mut Mesh, cells: &Cells) {
+    fn take_data(&mut self, mesh: &mut Mesh) {
         let is_meant = |column: &Column, names: &[&str]| {
             names.contains(&column.name.as_str()) && column.wholes().is_some()
         };
@@ -281,7 +177,17 @@ impl Grid {
         mesh.point_data = kept.map(Column::into_data).collect();
         let all = std::mem::take(&mut self.cell_data).into_iter();
         let kept = all.filter(|column| !is_meant(column, &[PHYSICAL, TAG, SEGMENT]));
-        mesh.triangle_data = kept.map(|column| column.into_data_of(&cells.triangles)).collect();
+        mesh.triangle_data =
+            kept.map(|column| column.into_data_of(&self.cells.triangles)).collect();
+    }
+}
+
+/// The tag of each cell: the first array that has a meaning, 0 without one.
+fn tags(cell_data: &[Column]) -> Result<Tags<'_>, Wrong> {
+    let known = [TAG, PHYSICAL, "medit:ref", "CellEntityIds"];
+    match known.into_iter().find_map(|name| whole(cell_data, name)) {
+        Some((array, numbers)) => Tags::new(numbers, Part::CellData(array)),
+        None => Ok(Tags(None)),
     }
 }
 
@@ -298,50 +204,6 @@ impl<'a> Tags<'a> {
 
     fn of(&self, item: usize) -> Tag {
         self.0.map_or(0, |numbers| numbers.at(item) as Tag)
-    }
-}
-
-/// What a cell is to a mesh.
-enum Pieces {
-    /// A point for each node.
-    Points,
-    /// An edge from each node to the next.
-    Chain,
-    One(Shape),
-}
-
-fn pieces(kind: i64, nodes: usize) -> Option<Pieces> {
-    Some(match (kind, nodes) {
-        (1, 1) | (2, _) => Pieces::Points,
-        (3, 2) => Pieces::One(Shape::Edge),
-        (4, 2..) => Pieces::Chain,
-        (21, 3) | (35, 4) | (68, 2..) => Pieces::One(Shape::Edge),
-        (5 | 7, 3) | (22, 6) | (34, 7) | (69, 3..) => Pieces::One(Shape::Triangle),
-        _ => return None,
-    })
-}
-
-/// VTK's name of a kind of cells.
-fn kind_name(kind: i64) -> &'static str {
-    match kind {
-        1 => "vertex",
-        3 => "line",
-        4 => "polyline",
-        5 => "triangle",
-        6 => "triangle strip",
-        7 => "polygon",
-        8 => "pixel",
-        9 => "quadrilateral",
-        10 => "tetrahedron",
-        11 => "voxel",
-        12 => "hexahedron",
-        13 => "wedge",
-        14 => "pyramid",
-        21 => "quadratic edge",
-        22 => "quadratic triangle",
-        23 => "quadratic quadrilateral",
-        24 => "quadratic tetrahedron",
-        _ => "another kind",
     }
 }
 

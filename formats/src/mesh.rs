@@ -1,5 +1,7 @@
 //! The triangle mesh that a solver reads.
 
+use std::borrow::Cow;
+
 use crate::pslg::{Group, Membership, Tag};
 
 /// A triangle mesh with boundary and region tags.
@@ -48,6 +50,18 @@ impl Mesh {
     #[must_use]
     pub fn triangle_tag(&self, triangle: usize) -> Tag {
         self.triangle_tags.get(triangle).copied().unwrap_or(0)
+    }
+}
+
+impl From<Mesh> for Cow<'_, Mesh> {
+    fn from(mesh: Mesh) -> Self {
+        Self::Owned(mesh)
+    }
+}
+
+impl<'m> From<&'m Mesh> for Cow<'m, Mesh> {
+    fn from(mesh: &'m Mesh) -> Self {
+        Self::Borrowed(mesh)
     }
 }
 

@@ -45,6 +45,17 @@ impl Wholes {
         (0..self.len()).map(|index| self.at(index))
     }
 
+    /// Hands on all numbers, block by block.
+    pub fn blocks(&self, mut take: impl FnMut(&[i64])) {
+        const BLOCK: usize = 1 << 12;
+        let mut block = Vec::with_capacity(BLOCK.min(self.len()));
+        for start in (0..self.len()).step_by(BLOCK) {
+            block.clear();
+            block.extend((start..self.len().min(start + BLOCK)).map(|index| self.at(index)));
+            take(&block);
+        }
+    }
+
     /// How many numbers there are before the first one that fails a test, which none behind it
     /// passes.
     pub fn partition_point(&self, passes: impl Fn(i64) -> bool) -> usize {

@@ -17,6 +17,7 @@ use super::fault::{Fault, FaultKind};
 use super::outline::{Angle, Outline};
 use super::precision::Floor;
 use super::verdict::{ExcusedAngle, Judgement};
+use crate::corners::{next, previous};
 use crate::parameters::MinAngle;
 
 /// "Equality occurs: stated relative slack 1e-7" (ALGORITHM §8).
@@ -66,22 +67,29 @@ pub(super) fn judge(
     let bound = laid.map(|laid| kappa_hat.min(lemma_7(laid.theta_star)));
     let mut found = Angles::default();
     let mut extremes = Extremes::default();
+    let usual = Usual { most: 1.0 / tangent, least: cotangent };
+    let mut between = usual.within(&extremes);
     for t in 0..complex.triangles.len() {
         let points = complex.corners(t);
         let [p, q, r] = points;
         let sides = [vector(p, q), vector(q, r), vector(r, p)];
         for k in 0..3 {
-            let (cross, dot) = cross_and_dot(sides[k], sides[(k + 2) % 3].map(|x| -x));
+            let [x, y] = sides[previous(k)];
+            let (cross, dot) = cross_and_dot(sides[k], [-x, -y]);
+            if between.has(cross, dot) {
+                continue;
+            }
             // Plain numbers decide unless the angle is small or the triangle tiny or flat.
             let plain = cross > 1e-12 * dot.abs() && cross > 1e-150;
             let is_small = !plain || (dot > 0.0 && cross < tangent * dot);
             let is_large = dot < cross * cotangent;
             let (cross, dot) = if is_small || is_large {
-                exact::corner(points[k], points[(k + 1) % 3], points[(k + 2) % 3]).cross_and_dot()
+                exact::corner(points[k], points[next(k)], points[previous(k)]).cross_and_dot()
             } else {
                 (cross, dot)
             };
             extremes.see(cross, dot);
+            between = usual.within(&extremes);
             if is_small && dot > 0.0 && cross < tangent * dot {
                 let suspect =
                     Suspect { complex, chains, floor, t, k, angle: libm::atan2(cross, dot) };
@@ -99,6 +107,35 @@ pub(super) fn judge(
     found.smallest = Extremes::radians(extremes.smallest);
     found.largest = Extremes::radians(extremes.largest);
     found
+}
+
+/// The cotangents between which nothing is to be said of an angle: its bounds are kept, and the mesh
+/// has smaller and larger ones.
+#[derive(Clone, Copy)]
+struct Usual {
+    most: f64,
+    least: f64,
+}
+
+impl Usual {
+    /// Whether an angle is clearly one of these. (The answer is no for what is no number.)
+    #[inline(always)]
+    fn has(&self, cross: f64, dot: f64) -> bool {
+        cross > 1e-150 && dot < self.most * cross && dot > self.least * cross
+    }
+
+    /// Those of these that lie between two angles of the mesh, by more than rounding.
+    fn within(&self, extremes: &Extremes) -> Self {
+        const MARGIN: f64 = 1e-9;
+        let (Some(smallest), Some(largest)) = (&extremes.smallest, &extremes.largest) else {
+            return Self { most: f64::NEG_INFINITY, least: f64::INFINITY };
+        };
+        let [most, least] = [smallest.cotangent.min(self.most), largest.cotangent.max(self.least)];
+        // Beyond 1e9 a cross product may be too small for its digits.
+        let most = (most - MARGIN * most.abs()).min(1e9);
+        let least = (least + MARGIN * least.abs()).max(-1e9);
+        Self { most, least }
+    }
 }
 
 /// Corollary 3: max{π − 2κ̂, π − 2·arcsin((√3 − 1)/2)}.

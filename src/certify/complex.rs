@@ -14,6 +14,7 @@ use super::fault::{Fault, FaultKind};
 use super::frame::Frame;
 use super::outline::{distance, distance_squared};
 use super::verdict::Judgement;
+use crate::corners::{each, previous};
 use crate::formats::Mesh;
 
 /// Nothing: no half-edge, no triangle, no segment.
@@ -77,16 +78,26 @@ impl<'a> Complex<'a> {
             leaving: std::cell::OnceCell::new(),
         };
         complex.take_sound_triangles(&finite, g1);
-        complex.measure();
         complex.glue(g1);
         complex
     }
 
     fn take_sound_triangles(&mut self, finite: &[bool], g1: &mut Judgement) {
-        let is_sound = |&corners: &[u32; 3]| self.look_at(corners, finite) == Ok(corners);
-        if !self.mesh.triangles.iter().all(is_sound) {
+        let mut measures = Measures::default();
+        let sound = self.mesh.triangles.iter().take_while(|&&corners| {
+            let is_sound = self.look_at(corners, finite) == Ok(corners);
+            if is_sound {
+                measures.add(each(corners, |v| self.at(v)));
+            }
+            is_sound
+        });
+        if sound.count() < self.mesh.triangles.len() {
             self.sort_out_triangles(finite, g1);
+            measures = Measures::default();
+            (0..self.triangles.len()).for_each(|t| measures.add(self.corners(t)));
         }
+        self.area = 0.5 * measures.doubled_area.to_f64();
+        self.shortest = measures.shortest_squared.sqrt();
         for &v in self.triangles.iter().flatten() {
             self.used[v as usize] = true;
         }
@@ -151,7 +162,7 @@ impl<'a> Complex<'a> {
     /// Whether the apex on one side of an edge is not strictly inside the circle of the triangle on
     /// the other.
     fn is_locally_delaunay(&self, [h, twin]: [u32; 2]) -> bool {
-        let [a, b, c] = [self.origin(h), self.target(h), self.apex(h)].map(|v| self.at(v));
+        let [a, b, c] = self.corners(h as usize / 3);
         exact::in_circle(a, b, c, self.at(self.apex(twin))) != Ordering::Greater
     }
 
@@ -184,7 +195,7 @@ impl<'a> Complex<'a> {
 
     /// The corner opposite a half-edge.
     pub(super) fn apex(&self, h: u32) -> u32 {
-        self.triangles[h as usize / 3][(h as usize + 2) % 3]
+        self.triangles[h as usize / 3][previous(h as usize % 3)]
     }
 
     /// A half-edge as its two points.
@@ -250,17 +261,27 @@ impl<'a> Complex<'a> {
         let halves = if self.shortest < length { self.halves() } else { 0..0 };
         halves.filter(move |&h| distance(self.at(self.origin(h)), self.at(self.target(h))) < length)
     }
+}
 
-    /// Sums up the triangles' areas, and finds the shortest edge.
-    fn measure(&mut self) {
-        let mut doubled = exact::Double::default();
-        let mut shortest = f64::INFINITY;
-        for t in 0..self.triangles.len() {
-            let [a, b, c] = self.corners(t);
-            doubled = doubled + exact::cross(a, b, c);
-            let sides = [(a, b), (b, c), (c, a)].map(|(p, q)| distance_squared(p, q));
-            shortest = sides.into_iter().fold(shortest, f64::min);
-        }
-        (self.area, self.shortest) = (0.5 * doubled.to_f64(), shortest.sqrt());
+/// What is summed up of triangles.
+struct Measures {
+    /// Twice the sum of their areas.
+    doubled_area: exact::Double,
+    /// The square of the length of their shortest edge.
+    shortest_squared: f64,
+}
+
+impl Default for Measures {
+    fn default() -> Self {
+        Self { doubled_area: exact::Double::default(), shortest_squared: f64::INFINITY }
+    }
+}
+
+impl Measures {
+    #[inline(always)]
+    fn add(&mut self, [a, b, c]: [[f64; 2]; 3]) {
+        self.doubled_area = self.doubled_area + exact::cross(a, b, c);
+        let sides = each([(a, b), (b, c), (c, a)], |(p, q)| distance_squared(p, q));
+        self.shortest_squared = sides.into_iter().fold(self.shortest_squared, f64::min);
     }
 }

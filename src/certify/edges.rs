@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::complex::NONE;
+use crate::corners::{next, previous};
 
 /// At a point with more half-edges than this they are kept in order.
 const HUB: usize = 64;
@@ -60,8 +61,8 @@ impl Edges {
         mut see: impl FnMut([u32; 2]),
     ) -> Self {
         let across = (0..).zip(triangles).map(|(t, corners)| {
-            let k = (smallest(corners) + 1) % 3;
-            (corners[k].min(corners[(k + 1) % 3]), 3 * t + k as u32)
+            let k = next(smallest(corners));
+            (corners[k].min(corners[next(k)]), 3 * t + k as u32)
         });
         let (start, across) = super::grouped(points, across);
         let first = first_by_point(triangles, points);
@@ -69,7 +70,7 @@ impl Edges {
         let mut spokes = Vec::new();
         for v in 0..points as u32 {
             spokes.clear();
-            edges.spokes(triangles, v).for_each(|spoke| spokes.push(spoke));
+            edges.spokes(triangles, v, |spoke| spokes.push(spoke));
             spokes.sort_unstable();
             for edge in spokes.chunk_by(|x, y| x.larger() == y.larger()) {
                 edges.glue(triangles, v, edge, &mut see);
@@ -115,22 +116,19 @@ impl Edges {
         self.one_sided.extend(edge.iter().map(|spoke| spoke.half()).filter(is_alone));
     }
 
-    /// The half-edges of which `v` is the smaller point.
-    fn spokes<'e>(&'e self, triangles: &'e [[u32; 3]], v: u32) -> impl Iterator<Item = Spoke> + 'e {
-        let beginning = self.first[v as usize]..self.first[v as usize + 1];
-        let of_beginning = beginning.flat_map(move |t| {
+    /// Hands on the half-edges of which `v` is the smaller point.
+    #[inline(always)]
+    fn spokes(&self, triangles: &[[u32; 3]], v: u32, mut take: impl FnMut(Spoke)) {
+        for t in self.first[v as usize]..self.first[v as usize + 1] {
             let corners = &triangles[t as usize];
             let k = smallest(corners);
-            let (next, last) = ((k + 1) % 3, (k + 2) % 3);
-            [
-                Spoke::new(corners[next], 3 * t + k as u32),
-                Spoke::new(corners[last], 3 * t + last as u32),
-            ]
-        });
-        let of_across = self.across_at(v).iter().map(move |&half| {
-            Spoke::new(origin(triangles, half).max(target(triangles, half)), half)
-        });
-        of_beginning.chain(of_across)
+            let last = previous(k);
+            take(Spoke::new(corners[next(k)], 3 * t + k as u32));
+            take(Spoke::new(corners[last], 3 * t + last as u32));
+        }
+        for &half in self.across_at(v) {
+            take(Spoke::new(origin(triangles, half).max(target(triangles, half)), half));
+        }
     }
 
     fn across_at(&self, v: u32) -> &[u32] {
@@ -154,8 +152,11 @@ impl Edges {
             let along = spokes[from..].iter().take_while(|spoke| spoke.larger() == larger);
             along.for_each(|spoke| take(spoke.half()));
         } else {
-            let along = self.spokes(triangles, smaller).filter(|spoke| spoke.larger() == larger);
-            along.for_each(|spoke| take(spoke.half()));
+            self.spokes(triangles, smaller, |spoke| {
+                if spoke.larger() == larger {
+                    take(spoke.half());
+                }
+            });
         }
         found
     }
@@ -193,7 +194,7 @@ pub(super) fn origin(triangles: &[[u32; 3]], h: u32) -> u32 {
 
 /// The point where a half-edge ends.
 pub(super) fn target(triangles: &[[u32; 3]], h: u32) -> u32 {
-    triangles[h as usize / 3][(h as usize + 1) % 3]
+    triangles[h as usize / 3][next(h as usize % 3)]
 }
 
 #[cfg(test)]

@@ -47,6 +47,8 @@ pub use verdict::{
     Promise, Verdict,
 };
 
+use std::borrow::Cow;
+
 use angles::{AngleJudgements, Angles, Laid};
 use complex::Complex;
 use conformity::Chains;
@@ -63,7 +65,7 @@ use crate::parameters::Region;
 /// Every guarantee is judged (G8 and G9 only where the mesh says its points' kinds), and the mesh's
 /// tags are compared with the outline's, and so are its memberships: of a mesh out of a file that
 /// holds one group for each edge, judge against an outline without further ones. The work grows like
-/// n log n.
+/// n log n. A mesh that is handed over, not lent, is judged in less memory: no copy stays beside it.
 ///
 /// ```
 /// use meshwright::certify::{Guarantee, Promise, Verdict, certify};
@@ -92,10 +94,12 @@ use crate::parameters::Region;
 /// assert_eq!(certificate.judgement(Guarantee::Complex).first[0].triangle, Some(1));
 /// ```
 #[must_use]
-pub fn certify(pslg: &Pslg, mesh: &Mesh, promise: &Promise) -> Certificate {
+pub fn certify<'m>(pslg: &Pslg, mesh: impl Into<Cow<'m, Mesh>>, promise: &Promise) -> Certificate {
+    let mesh = mesh.into();
+    let not_judged = missing_tags(&mesh);
     let (nearby, at_input) = Nearby::new(pslg, mesh);
     let mut certificate = judge(&nearby, at_input, promise);
-    certificate.not_judged = missing_tags(mesh);
+    certificate.not_judged = not_judged;
     nearby.restore(pslg, &mut certificate);
     certificate
 }
@@ -148,9 +152,9 @@ fn judge(nearby: &Nearby, at_input: Vec<u32>, promise: &Promise) -> Certificate 
 /// Judges a mesh of which no outline is known: G1 (but not whether it covers what it should), G2,
 /// G3, G7 and G10. The mesh's list of boundary and interface edges is taken for the subsegments.
 #[must_use]
-pub fn certify_alone(mesh: &Mesh, promise: &Promise) -> Certificate {
+pub fn certify_alone<'m>(mesh: impl Into<Cow<'m, Mesh>>, promise: &Promise) -> Certificate {
     let nothing = Pslg::default();
-    let (nearby, _) = Nearby::new(&nothing, mesh);
+    let (nearby, _) = Nearby::new(&nothing, mesh.into());
     let mut certificate = judge_alone(&nearby.mesh, promise);
     nearby.restore(&nothing, &mut certificate);
     certificate

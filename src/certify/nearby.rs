@@ -5,6 +5,7 @@
 //! stand in the order of a Hilbert curve and triangles in that of their first points, and gives
 //! what it found the numbers of the mesh and of the outline again.
 
+use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::mem::discriminant;
@@ -23,8 +24,8 @@ pub(super) struct Nearby<'a> {
     pub(super) pslg: Pslg,
     /// The mesh, without its triangles' tags. Its edges keep their numbers.
     pub(super) mesh: Mesh,
-    /// The mesh as it is given.
-    given: &'a Mesh,
+    /// The mesh as it is given; of one that is handed over the triangles' tags alone.
+    given: Cow<'a, Mesh>,
     /// The old numbers of the outline's points and of the mesh's points.
     inputs: Vec<u32>,
     points: Vec<u32>,
@@ -33,34 +34,36 @@ pub(super) struct Nearby<'a> {
 }
 
 impl<'a> Nearby<'a> {
-    /// Copies what is judged of an outline and a mesh. And for each point of the copied mesh the
-    /// point of the copied outline at the very same place, the first of several; or [`NONE`].
-    pub(super) fn new(pslg: &Pslg, mesh: &'a Mesh) -> (Self, Vec<u32>) {
-        let curve = curve_through(&pslg.points, &mesh.points);
-        let (inputs, points) = (along(curve, &pslg.points), along(curve, &mesh.points));
-        let at_input = places_in_common((&points, &mesh.points), (&inputs, &pslg.points));
+    /// Copies what is judged of an outline and a mesh; of a mesh that is handed over nothing stays
+    /// twice. And for each point of the copied mesh the point of the copied outline at the very same
+    /// place, the first of several; or [`NONE`].
+    pub(super) fn new(pslg: &Pslg, mut given: Cow<'a, Mesh>) -> (Self, Vec<u32>) {
+        let curve = curve_through(&pslg.points, &given.points);
+        let (inputs, points) = (along(curve, &pslg.points), along(curve, &given.points));
+        let at_input = places_in_common((&points, &given.points), (&inputs, &pslg.points));
         let [inputs, points] = [inputs, points]
             .map(|keyed| keyed.into_iter().map(|placed| placed as u32).collect::<Vec<_>>());
         let new = inverse(&points);
-        let triangles: Vec<_> = named(mesh, &new).collect();
-        let triangles = by_first_point(&triangles, points.len(), triangles.iter().copied());
-        let nearby = Self {
-            pslg: outline(pslg, &inputs),
-            mesh: renumbered(mesh, &points, &new, triangles),
-            given: mesh,
-            inputs,
-            points,
-            triangles: OnceCell::new(),
-        };
-        (nearby, at_input)
+        let order = by_first_point(&given.triangles, &new);
+        let named = |&t: &u32| each(given.triangles[t as usize], |v| renamed(v, &new));
+        let triangles = order.iter().map(named).collect();
+        let mut numbers = OnceCell::new();
+        if let Cow::Owned(mesh) = &mut given {
+            numbers = OnceCell::from(order);
+            mesh.triangles = Vec::new();
+        }
+        let mesh = renumbered(&given, &points, &new, triangles);
+        if let Cow::Owned(mesh) = &mut given {
+            let triangle_tags = std::mem::take(&mut mesh.triangle_tags);
+            *mesh = Mesh { triangle_tags, ..Mesh::default() };
+        }
+        let pslg = outline(pslg, &inputs);
+        (Self { pslg, mesh, given, inputs, points, triangles: numbers }, at_input)
     }
 
     /// The old number of a triangle.
     fn triangle(&self, t: u32) -> u32 {
-        let numbers = || {
-            let named: Vec<_> = named(self.given, &inverse(&self.points)).collect();
-            by_first_point(&named, self.points.len(), 0..)
-        };
+        let numbers = || by_first_point(&self.given.triangles, &inverse(&self.points));
         self.triangles.get_or_init(numbers)[t as usize]
     }
 
@@ -186,23 +189,16 @@ fn inverse(old: &[u32]) -> Vec<u32> {
     new
 }
 
-/// The corners of all triangles by the points' new numbers.
-fn named<'m>(mesh: &'m Mesh, new: &'m [u32]) -> impl Iterator<Item = [u32; 3]> + 'm {
-    mesh.triangles.iter().map(|&corners| each(corners, |v| renamed(v, new)))
-}
-
-/// Items, one for each triangle, in the order of the triangles' smallest points.
-fn by_first_point<T: Copy + Default>(
-    triangles: &[[u32; 3]],
-    points: usize,
-    items: impl Iterator<Item = T> + Clone,
-) -> Vec<T> {
-    // (What names a point that is not there comes first.)
-    let first = |&[a, b, c]: &[u32; 3]| {
+/// The numbers of triangles in the order of their smallest points, as these are numbered newly.
+fn by_first_point(triangles: &[[u32; 3]], new: &[u32]) -> Vec<u32> {
+    let first = |&corners: &[u32; 3]| {
+        let [a, b, c] = each(corners, |v| renamed(v, new));
         let first = a.min(b).min(c);
-        if (first as usize) < points { first } else { 0 }
+        // (What names a point that is not there comes first.)
+        if (first as usize) < new.len() { first } else { 0 }
     };
-    super::grouped(points.max(1), triangles.iter().map(first).zip(items)).1
+    let first: Vec<u32> = triangles.iter().map(first).collect();
+    super::grouped(new.len().max(1), first.iter().copied().zip(0..)).1
 }
 
 fn outline(pslg: &Pslg, inputs: &[u32]) -> Pslg {

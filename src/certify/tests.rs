@@ -278,7 +278,7 @@ fn a_mesh_alone_is_judged_as_far_as_it_goes() {
     assert!(matches!(certificate.verdict(Guarantee::Conforming), Verdict::NotJudged(_)));
     mesh.triangles.pop();
     assert!(!certify_alone(&mesh, &Promise::default()).holds());
-    assert!(certify_alone(&Mesh::default(), &Promise::default()).holds());
+    assert!(certify_alone(Mesh::default(), &Promise::default()).holds());
 }
 
 #[test]

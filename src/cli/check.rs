@@ -48,8 +48,9 @@ pub struct Arguments {
 
 /// Judges.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
-    let judged = input::any(&arguments.mesh, arguments.from, ReadOptions::default(), voice)?;
-    let Content::Mesh(mesh) = &judged.content else {
+    let read = ReadOptions::default();
+    let mut judged = input::any(&arguments.mesh, arguments.from, read, voice)?;
+    let Content::Mesh(mesh) = judged.take() else {
         return Err(Failure::usage(format!(
             "{} holds an outline, where a mesh is wanted ({})",
             judged.name,
@@ -73,12 +74,12 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         }
         None => None,
     };
+    let statistics = arguments.json.then(|| Statistics::of(&mesh));
     let certificate = match &mended {
         Some(mended) => against(mended.outline(), mesh, judged.format, &promise),
         None => certify::certify_alone(mesh, &promise),
     };
-    if arguments.json {
-        let statistics = Statistics::of(mesh);
+    if let Some(statistics) = statistics {
         let mended = mended.as_ref();
         print(&json::check(&judged, mended, &statistics, &certificate, voice.warnings()))?;
     } else if !voice.quiet {
@@ -96,13 +97,13 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
 
 /// Judges a mesh against an outline. Where the mesh's format holds one group for each edge and none
 /// for points, the others are not asked for.
-fn against(outline: &Pslg, mesh: &Mesh, format: Format, promise: &Promise) -> Certificate {
+fn against(outline: &Pslg, mut mesh: Mesh, format: Format, promise: &Promise) -> Certificate {
     if format.holds_memberships() || outline.memberships.is_empty() {
         return certify::certify(outline, mesh, promise);
     }
     let one_group_each = Pslg { memberships: Vec::new(), ..outline.clone() };
-    let mesh = Mesh { memberships: Vec::new(), ..mesh.clone() };
-    let mut certificate = certify::certify(&one_group_each, &mesh, promise);
+    mesh.memberships = Vec::new();
+    let mut certificate = certify::certify(&one_group_each, mesh, promise);
     certificate.not_judged.push("groups of points, further groups of edges (the format has none)");
     certificate
 }

@@ -101,7 +101,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
         (Content::Mesh(mesh), Some((mut pslg, _))) => {
             arguments.scale.apply(&mut pslg);
             let mended = arguments.repair.mend(pslg, voice)?;
-            let certificate = certify::certify(mended.outline(), mesh, &promise);
+            let certificate = certify::certify(mended.outline(), &*mesh, &promise);
             findings(mesh, &certificate)
         }
         (Content::Mesh(_), None) => Vec::new(),

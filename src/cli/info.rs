@@ -64,7 +64,7 @@ pub struct DomainFacts {
 /// Tells. A file that can be read is a success, whatever it holds.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let mut input = input::any(&arguments.file, arguments.from, arguments.read, voice)?;
-    let text = match std::mem::replace(&mut input.content, Content::Mesh(Mesh::default())) {
+    let text = match input.take() {
         Content::Outline(pslg) => {
             let mended = arguments.repair.mend(pslg, voice)?;
             let facts = OutlineFacts::of(mended.outline());

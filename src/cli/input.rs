@@ -30,6 +30,13 @@ pub struct Input {
     pub files: Vec<PathBuf>,
 }
 
+impl Input {
+    /// What the file holds, which is nothing from now on.
+    pub fn take(&mut self) -> Content {
+        std::mem::replace(&mut self.content, Content::Mesh(Mesh::default()))
+    }
+}
+
 /// What a file holds.
 pub enum Content {
     /// An outline.
@@ -46,7 +53,7 @@ pub fn outline(
     voice: &Voice,
 ) -> Result<(Pslg, Input), Failure> {
     let mut input = any(path, from, options, voice)?;
-    match std::mem::replace(&mut input.content, Content::Mesh(Mesh::default())) {
+    match input.take() {
         Content::Outline(pslg) => Ok((pslg, input)),
         Content::Mesh(_) => Err(Failure::usage(format!(
             "{} holds a mesh, where an outline is wanted ({})",

@@ -57,7 +57,7 @@ impl Places {
         let (part, index) = match (of_part, wrong.part) {
             // Polygons have no kinds of cells: their nodes are what is wrong.
             (None, Part::Kinds) => {
-                let before = wrong.index.checked_sub(1).map(|cell| grid.ends.at(cell));
+                let before = wrong.index.checked_sub(1).map(|cell| grid.cells.ends.at(cell));
                 (Part::Nodes, before.map_or(0, |end| end.max(0) as usize))
             }
             (_, part) => (part, wrong.index),
@@ -71,7 +71,7 @@ impl Places {
                 Layout::Plain => 0,
                 Layout::BehindFirst => 1,
                 Layout::Counted { first_cell } => {
-                    let cell = grid.ends.partition_point(|end| end <= index as i64);
+                    let cell = grid.cells.ends.partition_point(|end| end <= index as i64);
                     cell.saturating_sub(first_cell) + 1
                 }
             };

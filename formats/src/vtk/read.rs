@@ -54,6 +54,7 @@ fn parse(scanner: &mut Scanner) -> Result<(Mesh, Vec<Warning>), SyntaxError> {
     }
     reader.complete(scanner)?;
     let (places, grid) = (&reader.places, &mut reader.grid);
+    grid.take_nodes(&std::mem::take(&mut reader.nodes));
     let made = grid.take_mesh(scanner.file());
     let (mesh, mut warnings) = made.map_err(|wrong| places.error(scanner, grid, &wrong))?;
     if !reader.skipped.is_empty() {
@@ -76,6 +77,8 @@ struct Reader {
     numbers: Numbers,
     is_polydata: bool,
     grid: Grid,
+    /// The nodes of all cells, which may stand before their kinds.
+    nodes: Wholes,
     places: Places,
     points: Option<usize>,
     has_cells: bool,
@@ -121,6 +124,7 @@ impl Reader {
             numbers,
             is_polydata,
             grid: Grid::default(),
+            nodes: Wholes::default(),
             places: Places::new(numbers),
             points: None,
             has_cells: false,
@@ -185,8 +189,8 @@ impl Reader {
             self.counts_and_nodes(scanner, cells, (numbers, place))?;
         }
         if let Some(kind) = kind {
-            let more = self.grid.ends.len() - self.grid.kinds.len();
-            self.grid.kinds.extend(&vec![kind; more]);
+            let more = self.grid.cells.ends.len() - self.grid.cells.kinds.len();
+            self.grid.cells.kinds.extend(&vec![kind; more]);
         }
         Ok(())
     }
@@ -201,20 +205,20 @@ impl Reader {
         keyword(scanner, "OFFSETS", "OFFSETS")?;
         let kind = Kind::read(scanner)?;
         let start = self.places.begin(scanner)?;
-        self.places.keep(Part::Ends, start, kind, self.grid.ends.len(), Layout::BehindFirst);
-        let before = self.grid.nodes.len() as i64;
+        self.places.keep(Part::Ends, start, kind, self.grid.cells.ends.len(), Layout::BehindFirst);
+        let before = self.nodes.len() as i64;
         let mut is_first = true;
         self.numbers.wholes(scanner, kind, ends, |offsets| {
             let behind_first = &offsets[usize::from(std::mem::take(&mut is_first))..];
             let moved = behind_first.iter().map(|end| end.saturating_add(before));
-            self.grid.ends.extend(&moved.collect::<Vec<_>>());
+            self.grid.cells.ends.extend(&moved.collect::<Vec<_>>());
         })?;
         scanner.next_line();
         keyword(scanner, "CONNECTIVITY", "CONNECTIVITY")?;
         let kind = Kind::read(scanner)?;
         let start = self.places.begin(scanner)?;
-        self.places.keep(Part::Nodes, start, kind, self.grid.nodes.len(), Layout::Plain);
-        self.numbers.wholes(scanner, kind, nodes, |block| self.grid.nodes.extend(block))
+        self.places.keep(Part::Nodes, start, kind, self.nodes.len(), Layout::Plain);
+        self.numbers.wholes(scanner, kind, nodes, |block| self.nodes.extend(block))
     }
 
     fn counts_and_nodes(
@@ -224,8 +228,8 @@ impl Reader {
         (numbers, place): (usize, usize),
     ) -> Result<(), SyntaxError> {
         let start = self.places.begin(scanner)?;
-        let first = self.grid.nodes.len();
-        let layout = Layout::Counted { first_cell: self.grid.ends.len() };
+        let first = self.nodes.len();
+        let layout = Layout::Counted { first_cell: self.grid.cells.ends.len() };
         self.places.keep(Part::Nodes, start, Kind::INT, first, layout);
         let mut counted = Wholes::with_capacity(numbers.min(scanner.left()));
         self.numbers.wholes(scanner, Kind::INT, numbers, |block| counted.extend(block))?;
@@ -240,8 +244,8 @@ impl Reader {
             let end = next + 1 + count;
             nodes.clear();
             nodes.extend((next + 1..end).map(|index| counted.at(index)));
-            self.grid.nodes.extend(&nodes);
-            self.grid.ends.extend(&[self.grid.nodes.len() as i64]);
+            self.nodes.extend(&nodes);
+            self.grid.cells.ends.extend(&[self.nodes.len() as i64]);
             next = end;
         }
         if next == numbers {
@@ -255,8 +259,9 @@ impl Reader {
         let count = scanner.integer("the number of cells", 0, MOST)? as usize;
         let start = self.places.begin(scanner)?;
         self.places.keep(Part::Kinds, start, Kind::INT, 0, Layout::Plain);
-        self.grid.kinds = Wholes::with_capacity(count.min(scanner.left()));
-        self.numbers.wholes(scanner, Kind::INT, count, |block| self.grid.kinds.extend(block))?;
+        self.grid.cells.kinds = Wholes::with_capacity(count.min(scanner.left()));
+        self.numbers
+            .wholes(scanner, Kind::INT, count, |block| self.grid.cells.kinds.extend(block))?;
         self.has_kinds = true;
         Ok(())
     }
@@ -264,7 +269,7 @@ impl Reader {
     fn begin_attributes(&mut self, scanner: &mut Scanner, of: Of) -> Result<(), SyntaxError> {
         let (what, known) = match of {
             Of::Points => ("the number of points", self.grid.points.len()),
-            Of::Cells => ("the number of cells", self.grid.ends.len()),
+            Of::Cells => ("the number of cells", self.grid.cells.ends.len()),
         };
         let known = known as i64;
         let count = scanner.integer(format!("{what}, {known}"), known, known)? as usize;
@@ -422,7 +427,7 @@ impl Reader {
         if !self.is_polydata && !self.has_cells {
             return Err(scanner.missing("CELLS"));
         }
-        let (kinds, cells) = (self.grid.kinds.len(), self.grid.ends.len());
+        let (kinds, cells) = (self.grid.cells.kinds.len(), self.grid.cells.ends.len());
         if kinds != cells {
             return Err(scanner.missing(format!("CELL_TYPES of {cells} cells instead of {kinds}")));
         }

@@ -56,10 +56,9 @@ fn grid(arrays: &mut Arrays<impl Read + Seek>) -> Result<Grid, Fault> {
     let header = arrays.header;
     let mut grid = Grid { points: points(arrays)?, ..Grid::default() };
     let count = header.cells.ok_or_else(|| Fault::Missing { what: "NumberOfCells".to_owned() })?;
-    grid.kinds = whole(arrays, need(header, Section::Cells, "types")?, Some(count))?;
-    grid.ends = whole(arrays, need(header, Section::Cells, "offsets")?, Some(count))?;
-    let total = grid.ends.last().map_or(0, |end| end.max(0) as u64);
-    grid.nodes = whole(arrays, need(header, Section::Cells, "connectivity")?, Some(total))?;
+    grid.cells.kinds = whole(arrays, need(header, Section::Cells, "types")?, Some(count))?;
+    grid.cells.ends = whole(arrays, need(header, Section::Cells, "offsets")?, Some(count))?;
+    nodes(arrays, need(header, Section::Cells, "connectivity")?, &mut grid)?;
     grid.point_data = all(arrays, Section::Point, Some(grid.points.len() as u64))?;
     grid.cell_data = all(arrays, Section::Cell, Some(count))?;
     grid.field = all(arrays, Section::Field, None)?;
@@ -89,6 +88,22 @@ fn points(arrays: &mut Arrays<impl Read + Seek>) -> Result<Points, Fault> {
         return Err(Fault::Length { array, expected: MOST_POINTS, found: count });
     }
     Ok(points)
+}
+
+/// Reads the nodes of the cells, of which kinds and ends are known.
+fn nodes(
+    arrays: &mut Arrays<impl Read + Seek>,
+    array: &Description,
+    grid: &mut Grid,
+) -> Result<(), Fault> {
+    let count = grid.cells.ends.last().map_or(0, |end| end.max(0) as u64);
+    grid.cells.begin(grid.points.len(), usize::try_from(count).unwrap_or(usize::MAX));
+    arrays.each(array, Some(count), &mut |block| {
+        if let Block::Whole(nodes) = block {
+            grid.cells.take(nodes);
+        }
+    })?;
+    if array.is_real() { Err(wrong_type(array, WHOLE)) } else { Ok(()) }
 }
 
 /// The arrays of a section, with so many tuples of numbers each.
@@ -123,9 +138,11 @@ fn whole(
 ) -> Result<Wholes, Fault> {
     match arrays.numbers(array, expected)? {
         Numbers::Whole(numbers) => Ok(numbers),
-        Numbers::Real(_) => Err(wrong_type(array, "a type of whole numbers")),
+        Numbers::Real(_) => Err(wrong_type(array, WHOLE)),
     }
 }
+
+const WHOLE: &str = "a type of whole numbers";
 
 fn wrong_type(array: &Description, expected: &'static str) -> Fault {
     Fault::Unsupported { attribute: "type", expected, found: array.kind.clone() }
