@@ -54,6 +54,13 @@ impl RankedSet {
         (word.members & bit != 0).then(|| (word.before + less.count_ones()) as usize)
     }
 
+    /// Whether a number is a member.
+    #[inline]
+    pub fn contains(&self, number: u32) -> bool {
+        let word = self.words.get((number / NUMBERS) as usize);
+        word.is_some_and(|word| word.members >> (number % NUMBERS) & 1 != 0)
+    }
+
     /// Whether there is such a number, a member or not.
     #[inline]
     pub fn has(&self, number: u32) -> bool {
@@ -109,6 +116,8 @@ mod tests {
     fn a_rank_is_how_many_members_are_less() {
         let set: RankedSet = (0..200).map(is_member).collect();
         assert_eq!(ranks(&set, 200), counted((0..200).map(is_member)));
+        assert!((0..200).all(|number| set.contains(number) == is_member(number)));
+        assert!(!set.contains(200) && !set.contains(100_000));
         assert_eq!(set.members(), (0..200).filter(|&n| is_member(n)).count());
         assert_eq!((set.rank(200), set.rank(100_000)), (None, None));
         assert!(set.has(199) && !set.has(200));

@@ -76,7 +76,6 @@ pub fn any(
     let name = path.display().to_string();
     let mut files = if stdin { Vec::new() } else { vec![path.to_path_buf()] };
     let bytes = || if stdin { read_stdin() } else { read_file(path) };
-    let bytes = || bytes().map(Bytes);
     let mut companion = |beside: &str| {
         if stdin {
             return Err(io::Error::other("stdin has no file beside it"));
@@ -210,9 +209,9 @@ fn not_read(name: &str, end: &str) -> Failure {
     ))
 }
 
-fn read_file(path: &Path) -> Result<Vec<u8>, Failure> {
+fn read_file(path: &Path) -> Result<Bytes, Failure> {
     let bytes = fs::read(path).map_err(|error| Failure::io(path, &error))?;
-    uncompressed(bytes).map_err(|error| {
+    uncompressed(bytes).map(Bytes).map_err(|error| {
         Failure::input(format!(
             "{}: this is no whole gzip file: {}",
             path.display(),
@@ -221,7 +220,7 @@ fn read_file(path: &Path) -> Result<Vec<u8>, Failure> {
     })
 }
 
-fn read_stdin() -> Result<Vec<u8>, Failure> {
+fn read_stdin() -> Result<Bytes, Failure> {
     let mut bytes = Vec::new();
     let read = io::stdin().lock().read_to_end(&mut bytes);
     let failed = |error: io::Error| Failure {
@@ -229,7 +228,7 @@ fn read_stdin() -> Result<Vec<u8>, Failure> {
         message: format!("stdin: {}", reason(&error)),
     };
     read.map_err(failed)?;
-    uncompressed(bytes).map_err(|error| {
+    uncompressed(bytes).map(Bytes).map_err(|error| {
         Failure::input(format!("stdin: this is no whole gzip file: {}", reason(&error)))
     })
 }

@@ -537,7 +537,7 @@ impl<'a> Refinement<'a> {
     /// Whether an edge may lie across a small input angle: both its ends split segments.
     fn may_excuse(&self, slot: u32, edge: usize) -> bool {
         let vertices = self.mesh.triangles[slot as usize].vertices;
-        let splits = |i: usize| self.provenances.segment_point(vertices[i]).is_some();
+        let splits = |i: usize| self.provenances.splits_segment(vertices[i]);
         splits(next(edge)) && splits(previous(edge))
     }
 

@@ -80,6 +80,13 @@ impl Provenances {
         self.on_segments.rank(vertex).map(|rank| &self.segment_points[rank])
     }
 
+    /// Whether the vertex splits a segment.
+    #[inline]
+    #[must_use]
+    pub fn splits_segment(&self, vertex: u32) -> bool {
+        self.on_segments.contains(vertex)
+    }
+
     /// Whether the vertex is a point of the domain.
     #[must_use]
     pub fn is_input(&self, vertex: u32) -> bool {
@@ -90,9 +97,7 @@ impl Provenances {
     #[inline]
     #[must_use]
     pub fn is_steiner_point(&self, vertex: u32) -> bool {
-        vertex >= self.inputs
-            && self.on_segments.has(vertex)
-            && self.on_segments.rank(vertex).is_none()
+        vertex >= self.inputs && self.on_segments.has(vertex) && !self.splits_segment(vertex)
     }
 
     /// Forgets the Steiner points behind the first `vertices`.

@@ -151,7 +151,7 @@ impl Refinement<'_> {
         let near = self.cavity.sides().next().map_or(0, |side| side.ends[0] as usize);
         sizes.background.slot = sizes.slots.get(near).map_or(0, |&slot| slot as usize);
         let weights = self.weights(vertex, &mut sizes.background);
-        let on_segment = self.provenances.segment_point(vertex).is_some();
+        let on_segment = self.provenances.splits_segment(vertex);
         let size = if on_segment { mean(weights, |v| sizes.at(v)) } else { sizes.inside(weights) };
         sizes.of_vertices.push(size);
         sizes.slots.push(sizes.background.slot as u32);
