@@ -45,7 +45,8 @@ pub enum Names {
     /// Anything but control characters.
     #[default]
     Any,
-    /// One word: white space becomes `_`.
+    /// One word: white space becomes `_`, and so does `\`, which at the end of a line of `.obj`
+    /// joins the next one to it.
     Words,
     /// One word of ASCII letters, digits, `_`, `-` and `.`, a letter first: all else becomes `_`.
     /// Two of them differ in more than capitals.
@@ -280,6 +281,7 @@ pub(crate) fn writable(name: &str, rules: Rules) -> Cow<'_, str> {
     let good = |c: char| match c {
         '"' if rules.quoted => '\'',
         c if rules.names != Names::Any && (c.is_whitespace() || forbidden(c)) => '_',
+        '\\' if rules.names == Names::Words => '_',
         c if rules.names == Names::Plain && !is_plain(c) => '_',
         c if forbidden(c) => ' ',
         c => c,

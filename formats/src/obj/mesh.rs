@@ -10,7 +10,7 @@ use crate::rows::{Rows, one_based};
 
 /// Writes a mesh: a group of faces for each region, a group of lines for each boundary; z is 0.
 ///
-/// Groups have names, no numbers; white space in a name becomes `_`. Groups of points, further
+/// Groups have names, no numbers; white space and `\` in a name become `_`. Groups of points, further
 /// groups of an edge, markers, provenance and data are not written.
 ///
 /// # Errors

@@ -261,6 +261,28 @@ fn names_are_written_with_their_numbers_where_reading_would_change_them() {
 }
 
 #[test]
+fn a_backslash_that_ends_a_name_joins_no_lines() {
+    let mut pslg = clean(&square("l 1 2 3 4 1\n"));
+    pslg.segment_tags = vec![1; 4];
+    pslg.groups = vec![group(1, "wall\\")];
+    let (text, notes) = written(&pslg);
+    assert_eq!(notes, [""; 0]);
+    assert_eq!(clean(&text), Pslg { source: clean(&text).source, ..pslg });
+
+    let mesh = crate::Mesh {
+        points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+        triangles: vec![[0, 1, 2]],
+        triangle_tags: vec![1],
+        groups: vec![Group { dim: 2, tag: 1, name: "field\\".into() }],
+        ..crate::Mesh::default()
+    };
+    let mut text = Vec::new();
+    let notes = write(&mesh, &mut text).expect("memory takes all");
+    assert_eq!(String::from_utf8(text).expect("text").lines().nth(3), Some("g field_"));
+    assert_eq!(notes.len(), 1);
+}
+
+#[test]
 fn what_the_format_has_no_place_for_is_told() {
     let mut pslg = clean(&square("l 1 2 3 4 1\n"));
     pslg.holes = vec![[0.5, 0.5]];

@@ -156,9 +156,11 @@ fn are_plain(tags: &[Tag], given: &BTreeMap<Tag, String>) -> bool {
     let nameless = tags.iter().filter(|tag| !given.contains_key(tag)).copied().collect();
     let mut fresh = FreshTags::beside(nameless);
     let mut seen = BTreeSet::new();
+    // A `\` at the end of a line would join the next one to it.
+    let reads_back = |name: &str| stated(name).1.is_none() && !name.ends_with('\\');
     tags.iter()
         .filter_map(|tag| given.get_key_value(tag))
-        .all(|(&tag, name)| fresh.take() == tag && stated(name).1.is_none() && seen.insert(name))
+        .all(|(&tag, name)| fresh.take() == tag && reads_back(name) && seen.insert(name))
 }
 
 /// What an `.obj` file has no place for.
