@@ -7,7 +7,6 @@ use crate::attributes::interpolate;
 use crate::corners::each;
 use crate::domain::Domain;
 use crate::formats::{Membership, Mesh, Pslg, Tag};
-use crate::memory::give_back;
 use crate::refine::Refinement;
 use crate::refine::provenance::Provenances;
 use crate::triangulation::{Edge, Triangle, Triangulation};
@@ -33,11 +32,12 @@ pub fn assemble(
     drop(refinement);
     // The triangles first: that gives half of their memory back for all that follows.
     let triangles = renamed(triangles, &order);
+    let points = order.sorted(points, pslg, domain.scale_exponent);
     let ends = pieces.ends.into_iter().map(|ends| ends.map(|v| order.place(v)));
     let edge_segments: Vec<u32> =
         pieces.segments.iter().map(|&segment| domain.input_segments[segment as usize]).collect();
     Mesh {
-        points: unscaled(order.sorted(points), domain.scale_exponent),
+        points,
         triangle_tags: region_tags(regions, triangles.len(), domain),
         triangles,
         edges: ends.collect(),
@@ -49,71 +49,65 @@ pub fn assemble(
         memberships: memberships(&order, &edge_segments, domain, pslg),
         edge_segments,
         point_markers: markers(&provenances, &order, domain, pslg),
-        provenance: order.vertices().map(|v| provenances.kind(v)).collect(),
+        provenance: order.of_each(|v| provenances.kind(v)),
         point_data,
         groups: pslg.groups.clone(),
         ..Mesh::default()
     }
 }
 
-/// Points in the outline's own coordinates.
-fn unscaled(mut points: Vec<[f64; 2]>, scale_exponent: i32) -> Vec<[f64; 2]> {
-    if scale_exponent != 0 {
-        let unscaled = |c| libm::scalbn(c, scale_exponent);
-        points.iter_mut().for_each(|point| *point = point.map(unscaled));
-    }
-    points
-}
-
-/// The corners of triangles by their new numbers. (From the last one on, so that the memory of
-/// those that are done can be given back on the way: there are never two lists as a whole.)
-fn renamed(mut triangles: Vec<Triangle>, order: &OutputOrder) -> Vec<[u32; 3]> {
-    const GIVEN_BACK: usize = 1 << 16;
-    let mut renamed = vec![[0; 3]; triangles.len()];
-    for corners in renamed.iter_mut().rev() {
-        let Some(triangle) = triangles.pop() else { break };
-        *corners = each(triangle.vertices, |v| order.place(v));
-        if triangles.len().is_multiple_of(GIVEN_BACK) {
-            triangles.shrink_to_fit();
-        }
-    }
+/// The corners of triangles by their new numbers, in the first half of the memory that the triangles
+/// have; the other half goes back.
+fn renamed(triangles: Vec<Triangle>, order: &OutputOrder) -> Vec<[u32; 3]> {
+    let renamed = triangles.into_iter().map(|triangle| each(triangle.vertices, |v| order.place(v)));
+    let mut renamed: Vec<[u32; 3]> = renamed.collect();
+    renamed.shrink_to_fit();
     renamed
 }
 
 /// The order of the mesh's points: the vertices that are used, the outline's in its order, then the
 /// others as they were committed.
 struct OutputOrder {
-    /// The place of each vertex; `u32::MAX` where it is not used.
+    /// The place of each vertex; [`UNUSED`] where it is not used.
     places: Vec<u32>,
-    /// The vertices of the outline that are used, in its order.
+    /// The vertex of each of the outline's points; [`UNUSED`] where there is none that is used.
     inputs: Vec<u32>,
     /// The first vertex that is none of the outline's.
     first_other: usize,
+    /// How many vertices are used.
+    count: usize,
 }
+
+const UNUSED: u32 = u32::MAX;
 
 impl OutputOrder {
     /// The first vertices of the mesh are `input_points` of an outline that has so many
     /// `outline_points`.
     fn of(mesh: &Triangulation, outline_points: usize, input_points: &[u32]) -> Self {
-        let (unused, used) = (u32::MAX, 0);
-        let mut places = vec![unused; mesh.points.len()];
+        const USED: u32 = 0;
+        let mut places = vec![UNUSED; mesh.points.len()];
         for triangle in &mesh.triangles {
-            triangle.vertices.iter().for_each(|&v| places[v as usize] = used);
+            triangle.vertices.iter().for_each(|&v| places[v as usize] = USED);
         }
-        let mut inputs = vec![unused; outline_points];
+        let mut inputs = vec![UNUSED; outline_points];
         for (v, (&input, &place)) in (0..).zip(input_points.iter().zip(&places)) {
-            if place == used {
+            if place == USED {
                 inputs[input as usize] = v;
             }
         }
-        inputs.retain(|&v| v != unused);
-        let mut made = Self { places, inputs, first_other: input_points.len() };
-        for (place, &v) in (0..).zip(&made.inputs) {
-            made.places[v as usize] = place;
+        let mut count = 0;
+        let mut next_place = || {
+            count += 1;
+            count - 1
+        };
+        for &v in inputs.iter().filter(|&&v| v != UNUSED) {
+            places[v as usize] = next_place();
         }
-        let others = made.places[made.first_other..].iter_mut().filter(|place| **place == used);
-        (made.inputs.len() as u32..).zip(others).for_each(|(new, place)| *place = new);
-        made
+        let first_other = input_points.len();
+        for place in places[first_other..].iter_mut().filter(|place| **place == USED) {
+            *place = next_place();
+        }
+        Self { places, inputs, first_other, count: count as usize }
     }
 
     /// The place of a vertex that is used.
@@ -124,23 +118,34 @@ impl OutputOrder {
 
     /// The vertices that are used, in this order.
     fn vertices(&self) -> impl Iterator<Item = u32> + '_ {
+        let inputs = self.inputs.iter().copied().filter(|&v| v != UNUSED);
         let others = (self.first_other as u32..).zip(&self.places[self.first_other..]);
-        let others = others.filter(|&(_, &place)| place != u32::MAX).map(|(v, _)| v);
-        self.inputs.iter().copied().chain(others)
+        inputs.chain(others.filter(|&(_, &place)| place != UNUSED).map(|(v, _)| v))
     }
 
-    /// What there is for each vertex, in this order: in its own memory, but for the outline's.
-    fn sorted(&self, mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-        let inputs: Vec<_> = self.inputs.iter().map(|&v| points[v as usize]).collect();
-        points[..inputs.len()].copy_from_slice(&inputs);
-        give_back(inputs);
+    /// What there is `of` each vertex, in this order.
+    fn of_each<T>(&self, of: impl Fn(u32) -> T) -> Vec<T> {
+        let mut found = Vec::with_capacity(self.count);
+        self.vertices().for_each(|v| found.push(of(v)));
+        found
+    }
+
+    /// The points in this order and in the outline's own coordinates, in the memory that they have.
+    fn sorted(&self, mut points: Vec<[f64; 2]>, pslg: &Pslg, scale_exponent: i32) -> Vec<[f64; 2]> {
+        let unscaled = |point: [f64; 2]| match scale_exponent {
+            0 => point,
+            _ => point.map(|c| libm::scalbn(c, scale_exponent)),
+        };
+        // Scaling rounds nothing: the outline's points are those that it has.
+        let inputs = pslg.points.iter().zip(&self.inputs).filter(|&(_, &v)| v != UNUSED);
+        points.iter_mut().zip(inputs).for_each(|(point, (&input, _))| *point = input);
         for v in self.first_other..points.len() {
             // (Nothing comes later than it stood.)
-            if self.places[v] != u32::MAX {
-                points[self.places[v] as usize] = points[v];
+            if self.places[v] != UNUSED {
+                points[self.places[v] as usize] = unscaled(points[v]);
             }
         }
-        points.truncate(self.vertices().count());
+        points.truncate(self.count);
         points.shrink_to_fit();
         points
     }
@@ -159,14 +164,17 @@ fn subsegments(refinement: &Refinement) -> Subsegments {
         let behind = mesh.behind(edge);
         behind.is_outside() || edge.triangle() < behind.triangle()
     };
-    let edges = || mesh.constrained_edges().filter(is_first);
-    // (Counted before: an array that grows leaves holes in the memory.)
-    let mut found = Vec::with_capacity(edges().count());
-    found.extend(edges().filter_map(|edge| {
+    let edges: Vec<Edge> = mesh.constrained_edges().filter(is_first).collect();
+    // (An array that grows leaves holes in the memory.)
+    let mut found = Vec::with_capacity(edges.len());
+    found.extend(edges.into_iter().filter_map(|edge| {
         let ends = mesh.ends(edge);
         let segment = refinement.segment_of(ends)?;
         // Twice the distance of its middle from the segment's first end.
-        let along: f64 = ends.iter().map(|&v| refinement.distance_along(segment, v)).sum();
+        let along: f64 = match ends.iter().all(|&v| refinement.provenances.is_input(v)) {
+            true => 0.0, // it has no other piece
+            false => ends.iter().map(|&v| refinement.distance_along(segment, v)).sum(),
+        };
         Some((segment, along, ends))
     }));
     found.sort_unstable_by(|(s, along_s, _), (t, along_t, _)| {
@@ -243,5 +251,5 @@ fn markers(
         let given = input.and_then(|&input| pslg.point_markers.get(input as usize));
         given.copied().unwrap_or(0)
     };
-    order.vertices().map(marker).collect()
+    order.of_each(marker)
 }

@@ -72,11 +72,13 @@ impl Statistics {
     /// counted, not measured.
     #[must_use]
     pub fn of(mesh: &Mesh) -> Self {
-        Self::with(mesh, Measured::of(&mesh.points, mesh.triangles.iter().copied()))
+        let angles = Angles::new(&mesh.points);
+        Self::with(mesh, angles.measured(mesh.triangles.iter().copied(), false))
     }
 
     /// The counts of a mesh of which the angles were measured before.
     pub(crate) fn with(mesh: &Mesh, measured: Measured) -> Self {
+        let triangle_tags = if measured.is_untagged { &[] } else { &mesh.triangle_tags[..] };
         Self {
             points: mesh.points.len(),
             kinds: kinds(mesh),
@@ -87,7 +89,7 @@ impl Statistics {
             largest_angle: measured.largest_angle,
             smallest_angles: measured.smallest_angles,
             largest_angles: measured.largest_angles,
-            groups: groups(mesh),
+            groups: groups(mesh, triangle_tags),
         }
     }
 }
@@ -100,30 +102,17 @@ pub(crate) struct Measured {
     largest_angle: f64,
     smallest_angles: [usize; 12],
     largest_angles: [usize; 24],
+    /// Whether it is known that no triangle has a tag.
+    is_untagged: bool,
 }
 
 impl Measured {
-    fn of(points: &[[f64; 2]], triangles: impl Iterator<Item = [u32; 3]>) -> Self {
-        let mut angles = Angles::new(points);
-        let corners = triangles.filter_map(|triangle| corners(points, triangle));
-        match angles.exponent {
-            0 => corners.for_each(|corners| angles.measure(corners)),
-            exponent => corners.for_each(|corners| angles.measure(scaled(corners, exponent))),
-        }
-        Self {
-            area: angles.area(),
-            smallest_angle: angles.smallest(),
-            largest_angle: angles.largest(),
-            smallest_angles: angles.smallest_angles,
-            largest_angles: angles.largest_angles,
-        }
-    }
-
     /// Measures a triangulation before a mesh is assembled from it: the triangles are the same, but
     /// their corners are near each other in memory still. `None` where its coordinates are scaled.
     pub(crate) fn of_refined(refined: &Triangulation, scale_exponent: i32) -> Option<Self> {
-        let corners = refined.triangles.iter().map(|triangle| triangle.vertices);
-        (scale_exponent == 0).then(|| Self::of(&refined.points, corners))
+        let triangles = refined.triangles.iter().map(|triangle| triangle.vertices);
+        let angles = (scale_exponent == 0).then(|| Angles::scaled(&refined.points, 0));
+        angles.map(|angles| angles.measured(triangles, refined.regions.is_empty()))
     }
 }
 
@@ -165,10 +154,10 @@ fn kinds(mesh: &Mesh) -> Option<Kinds> {
     Some(kinds)
 }
 
-fn groups(mesh: &Mesh) -> Vec<GroupCount> {
+fn groups(mesh: &Mesh, triangle_tags: &[Tag]) -> Vec<GroupCount> {
     let mut counts = BTreeMap::<(u8, Tag), usize>::new();
     for (dim, count, tags) in
-        [(1, mesh.edges.len(), &mesh.edge_tags), (2, mesh.triangles.len(), &mesh.triangle_tags)]
+        [(1, mesh.edges.len(), &mesh.edge_tags[..]), (2, mesh.triangles.len(), triangle_tags)]
     {
         let (tagged, untagged) = (tags.len().min(count), count.saturating_sub(tags.len()));
         for run in tags[..tagged].chunk_by(|a, b| a == b) {
@@ -191,7 +180,7 @@ fn groups(mesh: &Mesh) -> Vec<GroupCount> {
 /// Angles are kept as cotangents, which fall as angles grow: no trigonometry per triangle.
 struct Angles<'a> {
     points: &'a [[f64; 2]],
-    /// Coordinates are multiplied by 2 to this power, so that no product over- or underflows.
+    /// See [`exponent`].
     exponent: i32,
     bins: Bins,
     largest_cotangent: f64,
@@ -203,12 +192,13 @@ struct Angles<'a> {
 
 impl<'a> Angles<'a> {
     fn new(points: &'a [[f64; 2]]) -> Self {
-        let largest = points.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let exponent = if largest > 0.0 && largest.is_finite() { -libm::ilogb(largest) } else { 0 };
+        Self::scaled(points, exponent(points))
+    }
+
+    fn scaled(points: &'a [[f64; 2]], exponent: i32) -> Self {
         Self {
             points,
-            // Within ±100 nothing happens to products of two lengths.
-            exponent: if exponent.abs() <= 100 { 0 } else { exponent },
+            exponent,
             bins: Bins::of_five_degrees(),
             largest_cotangent: f64::NEG_INFINITY,
             smallest_cotangent: f64::INFINITY,
@@ -218,14 +208,35 @@ impl<'a> Angles<'a> {
         }
     }
 
+    /// Measures triangles, but not those with corners that do not exist.
+    fn measured(
+        mut self,
+        triangles: impl Iterator<Item = [u32; 3]>,
+        is_untagged: bool,
+    ) -> Measured {
+        let points = self.points;
+        let corners = triangles.filter_map(|triangle| corners(points, triangle));
+        match self.exponent {
+            0 => corners.for_each(|corners| self.measure(corners)),
+            exponent => corners.for_each(|corners| self.measure(scaled(corners, exponent))),
+        }
+        Measured {
+            area: libm::scalbn(self.twice_area / 2.0, -2 * self.exponent),
+            smallest_angle: angle(self.largest_cotangent),
+            largest_angle: angle(self.smallest_cotangent),
+            smallest_angles: self.smallest_angles,
+            largest_angles: self.largest_angles,
+            is_untagged,
+        }
+    }
+
     #[inline(always)]
-    fn measure(&mut self, [a, b, c]: [[f64; 2]; 3]) {
-        let twice_area = cross(difference(b, a), difference(c, a));
+    fn measure(&mut self, corners: [[f64; 2]; 3]) {
+        let (twice_area, [a, b, c]) = area_and_dots(corners);
         self.twice_area += twice_area;
         // Quotients by one number are in the order of what is divided.
-        let [a, b, c] = dots([a, b, c]);
-        let steepest = -lesser(lesser(a, b), c) / twice_area.abs();
-        let flattest = -greater(greater(a, b), c) / twice_area.abs();
+        let steepest = greater(greater(a, b), c) / twice_area.abs();
+        let flattest = lesser(lesser(a, b), c) / twice_area.abs();
         self.largest_cotangent = greater(steepest, self.largest_cotangent);
         self.smallest_cotangent = lesser(flattest, self.smallest_cotangent);
         // The smallest angle is at most 60°, the largest at least.
@@ -235,26 +246,22 @@ impl<'a> Angles<'a> {
 
     /// The cotangents of a triangle's angles, or nothing where a corner does not exist.
     fn cotangents(&self, triangle: [u32; 3]) -> Option<[f64; 3]> {
-        let [a, b, c] = self.corners(triangle)?;
-        Some(cotangents([a, b, c], cross(difference(b, a), difference(c, a))))
+        let (twice_area, dots) = area_and_dots(self.corners(triangle)?);
+        Some(each(dots, |dot| dot / twice_area.abs()))
     }
 
     /// The corners of a triangle, scaled, or nothing where one does not exist.
     fn corners(&self, triangle: [u32; 3]) -> Option<[[f64; 2]; 3]> {
         corners(self.points, triangle).map(|corners| scaled(corners, self.exponent))
     }
+}
 
-    fn area(&self) -> f64 {
-        libm::scalbn(self.twice_area / 2.0, -2 * self.exponent)
-    }
-
-    fn smallest(&self) -> f64 {
-        angle(self.largest_cotangent)
-    }
-
-    fn largest(&self) -> f64 {
-        angle(self.smallest_cotangent)
-    }
+/// The power of 2 that points are multiplied by, so that no product over- or underflows.
+fn exponent(points: &[[f64; 2]]) -> i32 {
+    let largest = points.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let exponent = if largest > 0.0 && largest.is_finite() { -libm::ilogb(largest) } else { 0 };
+    // Within ±100 nothing happens to products of two lengths.
+    if exponent.abs() <= 100 { 0 } else { exponent }
 }
 
 /// The corners of a triangle, or nothing where one does not exist.
@@ -272,15 +279,11 @@ fn scaled(corners: [[f64; 2]; 3], exponent: i32) -> [[f64; 2]; 3] {
     }
 }
 
-fn cotangents(corners: [[f64; 2]; 3], twice_area: f64) -> [f64; 3] {
-    each(dots(corners), |dot| -dot / twice_area.abs())
-}
-
-/// At each corner the dot product of the other two edges, one of them reversed.
+/// Twice the area, and at each corner the dot product of the edges to the others.
 #[inline(always)]
-fn dots([a, b, c]: [[f64; 2]; 3]) -> [f64; 3] {
-    let (bc, ca, ab) = (difference(c, b), difference(a, c), difference(b, a));
-    [dot(ca, ab), dot(ab, bc), dot(bc, ca)]
+fn area_and_dots([a, b, c]: [[f64; 2]; 3]) -> (f64, [f64; 3]) {
+    let (ab, ac, bc) = (difference(b, a), difference(c, a), difference(c, b));
+    (cross(ab, ac), [dot(ab, ac), -dot(ab, bc), dot(ac, bc)])
 }
 
 /// The angle from 0 to π with this cotangent; 0 where nothing was measured.

@@ -46,23 +46,23 @@ impl Lengths {
 }
 
 impl Refinement<'_> {
-    /// Cuts the segments to their sizes, restores conformality, and fixes the sizes inside: at a
-    /// vertex the mean of the pieces there, linear between.
+    /// Restores conformality. Where there are sizes, cuts the segments to them first, and fixes those
+    /// inside: at a vertex the mean of the pieces there, linear between.
     pub(super) fn divide_by_sizes(&mut self, watch: &mut Watch) -> Flow {
+        if self.sizes.is_none() {
+            self.find_encroached_subsegments();
+            return self.restore_conformality(watch);
+        }
         let mut lengths = vec![Lengths::default(); self.mesh.points.len()];
-        if self.sizes.is_some() {
-            for segment in 0..self.segments.ends.len() as u32 {
-                self.divide(segment, &mut lengths)?;
-            }
+        for segment in 0..self.segments.ends.len() as u32 {
+            self.divide(segment, &mut lengths)?;
         }
         self.find_encroached_subsegments();
         self.restore_conformality(watch)?;
-        if self.sizes.is_some() {
-            self.halve_what_is_longer_than_its_size()?;
-            self.restore_conformality(watch)?;
-            self.take_sizes_from(&lengths);
-            self.keep_background();
-        }
+        self.halve_what_is_longer_than_its_size()?;
+        self.restore_conformality(watch)?;
+        self.take_sizes_from(&lengths);
+        self.keep_background();
         ControlFlow::Continue(())
     }
 

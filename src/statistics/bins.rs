@@ -1,44 +1,57 @@
 //! How many angles lie in each of 36 bins of 5°, told by their cotangents.
 
+use crate::order::{greater, lesser};
+
 /// Bins of 5°: a cotangent is looked up in a table of narrow cells, in each of which at most one bin
 /// ends.
 pub(super) struct Bins {
-    /// For each cell, from the largest cotangents down: how many bins end above it, and where one ends
-    /// within it (NaN: nowhere).
-    cells: Vec<(usize, f64)>,
+    /// From the largest cotangents down; behind those that are needed there are more like the last one.
+    cells: [Cell; 1 << CELL_BITS],
 }
 
+#[derive(Clone, Copy)]
+struct Cell {
+    /// How many bins end above it.
+    above: usize,
+    /// Where one ends within it (NaN: nowhere).
+    end: f64,
+}
+
+const CELL_BITS: u32 = 9;
 /// Cells for a difference of 1 in the cotangent: the bins beside 90° are 0.087 wide.
 const CELLS: f64 = 16.0;
-/// Where the first cell begins: above cot 5°.
+/// In the middle of the first cell: above cot 5°.
 const TOP: f64 = 11.5;
 
 impl Bins {
     /// The bins [0°, 5°), [5°, 10°), … [175°, 180°].
     pub fn of_five_degrees() -> Self {
-        let ends = || (1..36).map(|i| 1.0 / libm::tan(f64::from(5 * i).to_radians()));
-        let count = ends().map(cell).max().map_or(0, |last| last + 1);
-        let mut cells = vec![(0, f64::NAN); count];
-        for end in ends() {
+        let mut cells = [Cell { above: 0, end: f64::NAN }; 1 << CELL_BITS];
+        for end in (1..36).map(|i| 1.0 / libm::tan(f64::from(5 * i).to_radians())) {
             let at = cell(end);
-            cells[at].1 = end;
-            cells[at + 1..].iter_mut().for_each(|(above, _)| *above += 1);
+            cells[at].end = end;
+            cells[at + 1..].iter_mut().for_each(|cell| cell.above += 1);
         }
         Self { cells }
     }
 
     /// The bin of the angle with this cotangent; the first one for no number.
-    #[inline]
+    #[inline(always)]
     pub fn of(&self, cotangent: f64) -> usize {
-        let (above, end) = self.cells[cell(cotangent).min(self.cells.len() - 1)];
+        let Cell { above, end } = self.cells[cell(cotangent)];
         above + usize::from(cotangent <= end)
     }
 }
 
-/// The cell of a cotangent, of as many as are needed.
-#[inline]
+/// The cell of a cotangent.
+#[inline(always)]
 fn cell(cotangent: f64) -> usize {
-    ((TOP - cotangent) * CELLS) as usize
+    const LAST: usize = (1 << CELL_BITS) - 1;
+    let down = lesser(greater((TOP - cotangent) * CELLS, 0.0), LAST as f64);
+    // Among doubles so large the next is one more: the sum is rounded to a whole number, which its last
+    // bits are. (A cast looks for what no whole number can be.)
+    const WHOLE: f64 = (1_u64 << 52) as f64;
+    (down + WHOLE).to_bits() as usize & LAST
 }
 
 #[cfg(test)]
@@ -60,5 +73,11 @@ mod tests {
         let bins = Bins::of_five_degrees();
         let odd = [f64::INFINITY, 1e300, 0.0, -1e300, f64::NEG_INFINITY, f64::NAN];
         assert_eq!(odd.map(|c| bins.of(c)), [0, 0, 18, 35, 35, 0]);
+    }
+
+    #[test]
+    fn no_two_bins_end_in_a_cell() {
+        let ends = Bins::of_five_degrees().cells.map(|cell| cell.end);
+        assert_eq!(ends.iter().filter(|end| !end.is_nan()).count(), 35);
     }
 }

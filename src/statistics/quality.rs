@@ -2,7 +2,8 @@
 
 use meshwright_formats::{Data, Mesh, Values};
 
-use super::{Angles, angle, cotangents, cross, difference};
+use super::{Angles, angle, area_and_dots};
+use crate::corners::each;
 
 /// Measures of each triangle, in the order of the mesh; NaN where a corner does not exist.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -67,9 +68,9 @@ impl Quality {
 
 /// Smallest and largest angle, radius over edge, area of corners that were multiplied by 2 to this
 /// power.
-fn measures([a, b, c]: [[f64; 2]; 3], exponent: i32) -> [f64; 4] {
-    let twice_area = cross(difference(b, a), difference(c, a));
-    let [at_a, at_b, at_c] = cotangents([a, b, c], twice_area);
+fn measures(corners: [[f64; 2]; 3], exponent: i32) -> [f64; 4] {
+    let (twice_area, dots) = area_and_dots(corners);
+    let [at_a, at_b, at_c] = each(dots, |dot| dot / twice_area.abs());
     let (steepest, flattest) = (at_a.max(at_b).max(at_c), at_a.min(at_b).min(at_c));
     // The shortest edge is 2R·sin of the smallest angle, and 1/sin = √(1 + cot²).
     let radius_edge = libm::hypot(1.0, steepest) / 2.0;
