@@ -7,6 +7,8 @@ use crate::attributes::interpolate;
 use crate::corners::each;
 use crate::domain::Domain;
 use crate::formats::{Membership, Mesh, Pslg, Tag};
+use crate::memory::give_back;
+use crate::radix::sort_by_upper_half;
 use crate::refine::Refinement;
 use crate::refine::provenance::Provenances;
 use crate::triangulation::{Edge, Triangle, Triangulation};
@@ -159,31 +161,46 @@ struct Subsegments {
 }
 
 fn subsegments(refinement: &Refinement) -> Subsegments {
+    let found = subsegments_by_segment(refinement);
+    let mut pieces = Subsegments {
+        ends: Vec::with_capacity(found.len()),
+        segments: Vec::with_capacity(found.len()),
+    };
+    let mut in_order: Vec<(f64, [u32; 2])> = Vec::new();
+    for of_segment in found.chunk_by(|a, b| a >> 32 == b >> 32) {
+        let segment = (of_segment[0] >> 32) as u32;
+        let is_whole = of_segment.len() == 1;
+        in_order.extend(of_segment.iter().map(|&placed| {
+            let ends = refinement.mesh.ends(Edge::new(placed as u32 >> 3, placed as usize & 3));
+            // Twice the distance of its middle from the segment's first end.
+            let along = || ends.iter().map(|&v| refinement.distance_along(segment, v)).sum();
+            (if is_whole { 0.0 } else { along() }, ends)
+        }));
+        in_order.sort_unstable_by(|(along_s, _), (along_t, _)| along_s.total_cmp(along_t));
+        pieces.segments.extend(in_order.iter().map(|_| segment));
+        pieces.ends.extend(in_order.drain(..).map(|(_, ends)| ends));
+    }
+    give_back(found);
+    pieces
+}
+
+/// The subsegments, each as `segment << 32 | triangle << 3 | edge`, segment by segment.
+fn subsegments_by_segment(refinement: &Refinement) -> Vec<u64> {
     let mesh = &refinement.mesh;
     let is_first = |&edge: &Edge| {
         let behind = mesh.behind(edge);
         behind.is_outside() || edge.triangle() < behind.triangle()
     };
-    let edges: Vec<Edge> = mesh.constrained_edges().filter(is_first).collect();
-    // (An array that grows leaves holes in the memory.)
-    let mut found = Vec::with_capacity(edges.len());
-    found.extend(edges.into_iter().filter_map(|edge| {
-        let ends = mesh.ends(edge);
-        let segment = refinement.segment_of(ends)?;
-        // Twice the distance of its middle from the segment's first end.
-        let along: f64 = match ends.iter().all(|&v| refinement.provenances.is_input(v)) {
-            true => 0.0, // it has no other piece
-            false => ends.iter().map(|&v| refinement.distance_along(segment, v)).sum(),
-        };
-        Some((segment, along, ends))
+    // (What n points split has n + 1 pieces. An array that grows leaves holes in the memory.)
+    let most = refinement.segments.ends.len() + refinement.provenances.on_segments();
+    let mut found = Vec::with_capacity(most);
+    found.extend(mesh.constrained_edges().filter(is_first).filter_map(|edge| {
+        let segment = refinement.segment_of(mesh.ends(edge))?;
+        let edge = edge.triangle() << 3 | edge.index() as u32;
+        Some(u64::from(segment) << 32 | u64::from(edge))
     }));
-    found.sort_unstable_by(|(s, along_s, _), (t, along_t, _)| {
-        s.cmp(t).then(along_s.total_cmp(along_t))
-    });
-    Subsegments {
-        ends: found.iter().map(|&(_, _, ends)| ends).collect(),
-        segments: found.iter().map(|&(segment, _, _)| segment).collect(),
-    }
+    sort_by_upper_half(&mut found);
+    found
 }
 
 /// The tags of the triangles' regions; where there is no region, of so many `triangles`.

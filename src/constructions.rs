@@ -4,6 +4,7 @@
 
 use crate::double_double::{DoubleDouble, Expansion, two_sum};
 use crate::parameters::MinAngle;
+use crate::predicates::Relative;
 use crate::vector::Vector;
 
 /// An angle from 0 to π, by its sine and cosine up to a common positive factor. So it can be
@@ -22,6 +23,17 @@ impl Angle {
     pub fn at(x: [f64; 2], p: [f64; 2], q: [f64; 2]) -> Self {
         let (u, v) = (Vector::between(x, p), Vector::between(x, q));
         Self { cross: u.cross(v).abs(), dot: u.dot(v) }
+    }
+
+    /// Whether the angle p x q is wider than one with this cosine, as plain doubles tell for sure: most
+    /// angles are told from a small one so.
+    #[inline]
+    #[must_use]
+    pub fn is_surely_wider(x: [f64; 2], [p, q]: [[f64; 2]; 2], cosine: f64) -> bool {
+        // Rounding changes the cosine by some 1e-15.
+        const SLACK: f64 = 1e-12;
+        let (p, q) = (Relative::of(p, x), Relative::of(q, x));
+        p.dot(q) < (cosine - SLACK) * (p.squared * q.squared).sqrt()
     }
 
     /// Whether the angle is smaller than κ̂ < 90°.

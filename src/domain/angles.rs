@@ -26,7 +26,21 @@ impl Domain {
     /// the first. `None` where no two segments adjoin.
     #[must_use]
     pub fn smallest_angle(&self) -> Option<Angle> {
-        self.angles().reduce(|least, next| if next.radians < least.radians { next } else { least })
+        let mut smallest: Option<Angle> = None;
+        let mut cosine = 1.0;
+        for apex in 0..self.points.len() as u32 {
+            for pair in self.pairs_at(apex) {
+                if smallest.is_some() && self.is_surely_wider(apex, pair, cosine) {
+                    continue;
+                }
+                let Some(angle) = self.angle(apex, pair) else { continue };
+                if smallest.is_none_or(|smallest| angle.radians < smallest.radians) {
+                    cosine = libm::cos(angle.radians);
+                    smallest = Some(angle);
+                }
+            }
+        }
+        smallest
     }
 
     /// The smallest angle that is meshed, as [`smallest_angle`](Domain::smallest_angle) is of all.
@@ -51,17 +65,37 @@ impl Domain {
 
     /// The angles between neighbours in the rotation about a point.
     pub fn angles_at(&self, apex: u32) -> impl Iterator<Item = Angle> + '_ {
+        self.pairs_at(apex).filter_map(move |pair| self.angle(apex, pair))
+    }
+
+    /// Whether all angles at a point are wider than one with this cosine, as plain doubles tell for sure.
+    pub(super) fn are_surely_wider_at(&self, apex: u32, cosine: f64) -> bool {
+        self.pairs_at(apex).all(|pair| self.is_surely_wider(apex, pair, cosine))
+    }
+
+    /// The neighbours in the rotation about a point, counter-clockwise.
+    fn pairs_at(&self, apex: u32) -> impl Iterator<Item = [u32; 2]> + '_ {
         let adjoining = self.adjoining(apex);
-        let next = |index: usize| adjoining[(index + 1) % adjoining.len()];
-        let pairs = (0..adjoining.len()).map(move |index| [adjoining[index], next(index)]);
-        pairs.filter(|[s, t]| s != t).filter_map(move |pair| self.angle(apex, pair))
+        let next = adjoining.iter().skip(1).chain(adjoining.first());
+        adjoining.iter().zip(next).map(|(&s, &t)| [s, t]).filter(|[s, t]| s != t)
+    }
+
+    /// See [`Measured::is_surely_wider`].
+    fn is_surely_wider(&self, apex: u32, segments: [u32; 2], cosine: f64) -> bool {
+        let ends = segments.map(|segment| self.far_end(segment, apex));
+        Measured::is_surely_wider(self.points[apex as usize], ends, cosine)
+    }
+
+    /// Where the other end of a segment at a point lies.
+    #[inline]
+    pub(super) fn far_end(&self, segment: u32, apex: u32) -> [f64; 2] {
+        self.points[other_end(self.segments[segment as usize], apex) as usize]
     }
 
     /// The angle from one segment counter-clockwise to the next, if it is at most π.
     fn angle(&self, apex: u32, segments: [u32; 2]) -> Option<Angle> {
         let place = self.points[apex as usize];
-        let [a, b] = segments
-            .map(|segment| self.points[other_end(self.segments[segment as usize], apex) as usize]);
+        let [a, b] = segments.map(|segment| self.far_end(segment, apex));
         let radians = match side(place, a, b) {
             Side::Right => return None,
             // Each of two segments on one line is the next of the other: once is enough.

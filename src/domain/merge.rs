@@ -5,6 +5,7 @@ use super::error::{Item, Kind, Warning};
 use crate::Pslg;
 use crate::columns::in_columns;
 use crate::memory::give_back;
+use crate::radix::sort_by_upper_half;
 
 /// The distinct points of an outline.
 pub struct Points {
@@ -100,22 +101,22 @@ pub struct Segments {
 
 /// Drops segments of length zero, and all but the first of those that join the same two points.
 pub fn segments(pslg: &Pslg, distinct: &[u32], warnings: &mut Vec<Warning>) -> Segments {
-    let ends = |index: u32| pslg.segments[index as usize].map(|p| distinct[p as usize]);
+    let ends = |index: u32| {
+        let [a, b] = pslg.segments[index as usize];
+        [distinct[a as usize], distinct[b as usize]]
+    };
     let undirected = |index: u32| {
         let [a, b] = ends(index);
         [a.min(b), a.max(b)]
     };
     let tag = |index: u32| pslg.segment_tags.get(index as usize).copied().unwrap_or(0);
-    let mut order: Vec<u32> = (0..pslg.segments.len() as u32).collect();
-    order.sort_unstable_by_key(|&index| (undirected(index), index));
-    let mut first: Vec<u32> = (0..pslg.segments.len() as u32).collect();
-    for pair in order.windows(2) {
-        if undirected(pair[0]) == undirected(pair[1]) {
-            first[pair[1] as usize] = first[pair[0] as usize];
-        }
-    }
-
-    let mut kept = Segments { segments: Vec::new(), input: Vec::new(), tags: Vec::new() };
+    let first = firsts(pslg.segments.len() as u32, undirected);
+    let room = pslg.segments.len();
+    let mut kept = Segments {
+        segments: Vec::with_capacity(room),
+        input: Vec::with_capacity(room),
+        tags: Vec::with_capacity(room),
+    };
     let (mut zero, mut twice, mut other_tag) = (Vec::new(), Vec::new(), Vec::new());
     for (index, &same) in (0..).zip(&first) {
         let [a, b] = ends(index);
@@ -144,6 +145,25 @@ pub fn segments(pslg: &Pslg, distinct: &[u32], warnings: &mut Vec<Warning>) -> S
         warnings.push(Warning::TagsDiffer { count: other_tag.len(), first, tags });
     }
     kept
+}
+
+/// For each of so many segments the first one with the same ends: mostly itself.
+fn firsts(count: u32, ends: impl Fn(u32) -> [u32; 2]) -> Vec<u32> {
+    let mut placed: Vec<u64> =
+        (0..count).map(|index| u64::from(ends(index)[0]) << 32 | u64::from(index)).collect();
+    sort_by_upper_half(&mut placed);
+    let mut first: Vec<u32> = (0..count).collect();
+    for at_end in placed.chunk_by_mut(|a, b| a >> 32 == b >> 32).filter(|same| same.len() > 1) {
+        at_end.sort_unstable_by_key(|&placed| (ends(placed as u32)[1], placed as u32));
+        for pair in at_end.windows(2) {
+            let [before, index] = [pair[0] as u32, pair[1] as u32];
+            if ends(before) == ends(index) {
+                first[index as usize] = first[before as usize];
+            }
+        }
+    }
+    give_back(placed);
+    first
 }
 
 fn pairs(pslg: &Pslg, kind: Kind, pairs: &[[u32; 2]]) -> Vec<[Item; 2]> {

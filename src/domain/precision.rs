@@ -6,12 +6,14 @@
 
 use std::f64::consts::FRAC_PI_3;
 
-use super::adjoining::other_end;
 use super::{Angle, Domain};
 use crate::Region;
+use crate::predicates::Relative;
 
 /// The floor φ in units of ulp(M).
 const FLOOR: f64 = 4096.0;
+/// Angles from here on (in radians) limit nothing but where segments are hardly longer than φ.
+const WIDE: f64 = 0.1;
 
 /// An apex near which doubles are too coarse for its smallest angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +48,11 @@ impl Domain {
     /// about the shortest piece that their angle alone asks for.
     #[must_use]
     pub fn precision_limits(&self) -> Vec<PrecisionLimit> {
+        let cosine = libm::cos(WIDE);
         let limit = |apex| {
+            if self.are_surely_wider_at(apex, cosine) && !self.may_limit(apex, WIDE) {
+                return None;
+            }
             let angle = self.smallest_refined_angle_at(apex)?;
             let reach = reach(angle.radians, self.ulp);
             (reach > 0.25 * self.shortest_at(apex))
@@ -70,10 +76,19 @@ impl Domain {
             .reduce(|least, next| if next.radians < least.radians { next } else { least })
     }
 
+    /// Whether an angle at a point may be such that the point limits the mesh: for sure not only.
+    fn may_limit(&self, apex: u32, radians: f64) -> bool {
+        let place = self.points[apex as usize];
+        let squared = |&segment: &u32| Relative::of(self.far_end(segment, apex), place).squared;
+        let shortest =
+            self.adjoining(apex).iter().map(squared).fold(f64::INFINITY, f64::min).sqrt();
+        reach(radians, self.ulp) > 0.2 * shortest
+    }
+
     fn shortest_at(&self, apex: u32) -> f64 {
         let [x, y] = self.points[apex as usize];
         let length = |&segment: &u32| {
-            let [a, b] = self.points[other_end(self.segments[segment as usize], apex) as usize];
+            let [a, b] = self.far_end(segment, apex);
             libm::hypot(a - x, b - y)
         };
         self.adjoining(apex).iter().map(length).fold(f64::INFINITY, f64::min)

@@ -61,6 +61,12 @@ impl Provenances {
         self.inputs
     }
 
+    /// How many vertices split segments.
+    #[must_use]
+    pub fn on_segments(&self) -> usize {
+        self.on_segments.members()
+    }
+
     /// Notes a committed Steiner point.
     pub fn push_steiner_point(&mut self) {
         self.on_segments.push(false);

@@ -60,10 +60,22 @@ impl<'a> Segments<'a> {
     /// The angle between two segments at the end they share.
     #[must_use]
     pub fn angle(&self, s: u32, t: u32, shared: [End; 2], points: &[[f64; 2]]) -> Angle {
+        let (apex, [p, q]) = self.corner(s, t, shared, points);
+        Angle::at(apex, p, q)
+    }
+
+    /// The end that two segments share, and their others.
+    fn corner(
+        &self,
+        s: u32,
+        t: u32,
+        shared: [End; 2],
+        points: &[[f64; 2]],
+    ) -> ([f64; 2], [[f64; 2]; 2]) {
         let at = |v: u32| points[v as usize];
         let (s, t) = (self.ends[s as usize], self.ends[t as usize]);
         let [i, j] = shared.map(usize::from);
-        Angle::at(at(s[i]), at(s[1 - i]), at(t[1 - j]))
+        (at(s[i]), [at(s[1 - i]), at(t[1 - j])])
     }
 
     /// The sine of the smallest angle below 90° to an adjoining segment at each end; 0 where there
@@ -200,7 +212,11 @@ impl<'a> Segments<'a> {
             for i in 0..pairs {
                 let (s, t) = (around[i], around[(i + 1) % around.len()]);
                 let Some(shared) = self.shared_end(s, t) else { continue };
-                let angle = self.angle(s, t, shared, points);
+                let (apex, ends) = self.corner(s, t, shared, points);
+                if Angle::is_surely_wider(apex, ends, 0.0) {
+                    continue;
+                }
+                let angle = Angle::at(apex, ends[0], ends[1]);
                 if angle.is_acute() {
                     for (segment, end) in [(s, shared[0]), (t, shared[1])] {
                         let sine = &mut sines[segment as usize][usize::from(end)];

@@ -107,24 +107,37 @@ impl Constraining<'_> {
     /// done (a vertex may have a hundred thousand segments); returns it as seen from that end.
     fn look_around(&self, [a, b]: [u32; 2]) -> Result<([u32; 2], Around), Blocked> {
         let mut walks = [[a, b], [b, a]].map(|ends| (ends, self.slots[ends[0] as usize]));
-        let starts = walks.map(|(_, slot)| slot);
-        let mut crossed = [None; 2];
         loop {
-            for (i, (ends, slot)) in walks.iter_mut().enumerate() {
+            for (ends, slot) in &mut walks {
                 let [from, to] = *ends;
-                let triangle = self.mesh.triangles[*slot as usize];
+                let triangle = &self.mesh.triangles[*slot as usize];
                 let corner = triangle.vertices.iter().position(|&v| v == from).ok_or(Blocked)?;
                 if triangle.vertices[next(corner)] == to {
                     return Ok((*ends, Around::Edge(Edge::new(*slot, previous(corner)))));
                 }
-                if crossed[i].is_none() && self.is_crossed(&triangle, corner, to) {
-                    crossed[i] = Some(Edge::new(*slot, corner));
-                }
                 // On, counter-clockwise: across the edge from this vertex to the last one.
                 *slot = triangle.neighbors[next(corner)].triangle();
-                if *slot == starts[i] {
-                    return crossed[i].map(|edge| (*ends, Around::Crosses(edge))).ok_or(Blocked);
+                if *slot == self.slots[from as usize] {
+                    return Ok((*ends, Around::Crosses(self.crossed_around(*ends)?)));
                 }
+            }
+        }
+    }
+
+    /// The edge opposite its start that a segment crosses. (Few segments are no edges: only for these
+    /// is the second way around.)
+    fn crossed_around(&self, [from, to]: [u32; 2]) -> Result<Edge, Blocked> {
+        let start = self.slots[from as usize];
+        let mut slot = start;
+        loop {
+            let triangle = &self.mesh.triangles[slot as usize];
+            let corner = triangle.vertices.iter().position(|&v| v == from).ok_or(Blocked)?;
+            if self.is_crossed(triangle, corner, to) {
+                return Ok(Edge::new(slot, corner));
+            }
+            slot = triangle.neighbors[next(corner)].triangle();
+            if slot == start {
+                return Err(Blocked);
             }
         }
     }

@@ -29,13 +29,24 @@ pub(super) struct Anchored {
 impl Anchors {
     /// The anchors of a triangulation that was just made.
     pub fn of(triangulation: &Triangulation) -> Self {
-        let mut on_subsegments = vec![false; triangulation.points.len()];
+        let none = || vec![false; triangulation.points.len()];
+        // A fan that is no whole turn has one edge with nothing behind it that starts at its vertex: two
+        // of those make a pinched vertex.
+        let (mut on_subsegments, mut open, mut pinched) = (none(), none(), none());
         for edge in triangulation.constrained_edges() {
-            triangulation.ends(edge).iter().for_each(|&v| on_subsegments[v as usize] = true);
+            let ends = triangulation.ends(edge);
+            ends.iter().for_each(|&v| on_subsegments[v as usize] = true);
+            if triangulation.behind(edge).is_outside() {
+                let start = ends[0] as usize;
+                pinched[start] |= open[start];
+                open[start] = true;
+            }
+        }
+        if !pinched.contains(&true) {
+            pinched = Vec::new();
         }
         let vertices: RankedSet = on_subsegments.into_iter().collect();
         let slots = vec![u32::MAX; vertices.members()];
-        let pinched = pinched_vertices(triangulation);
         let mut made = Self { vertices, slots, pinched, pinched_edges: Vec::new() };
         for edge in triangulation.constrained_edges() {
             let ends = triangulation.ends(edge);
@@ -199,21 +210,6 @@ impl Triangulation {
         })?;
         Some(Edge::new(slot, index).constrained_if(true))
     }
-}
-
-/// A fan that is no whole turn has one edge with nothing behind it that starts at its vertex: two
-/// of those make a pinched vertex.
-fn pinched_vertices(triangulation: &Triangulation) -> Vec<bool> {
-    let mut pinched = vec![false; triangulation.points.len()];
-    let mut open = pinched.clone();
-    for edge in triangulation.constrained_edges() {
-        if triangulation.behind(edge).is_outside() {
-            let start = triangulation.ends(edge)[0] as usize;
-            pinched[start] |= open[start];
-            open[start] = true;
-        }
-    }
-    if pinched.contains(&true) { pinched } else { Vec::new() }
 }
 
 fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
