@@ -187,18 +187,19 @@ fn subsegments(refinement: &Refinement) -> Subsegments {
 /// The subsegments, each as `segment << 32 | triangle << 3 | edge`, segment by segment.
 fn subsegments_by_segment(refinement: &Refinement) -> Vec<u64> {
     let mesh = &refinement.mesh;
-    let is_first = |&edge: &Edge| {
-        let behind = mesh.behind(edge);
-        behind.is_outside() || edge.triangle() < behind.triangle()
-    };
     // (What n points split has n + 1 pieces. An array that grows leaves holes in the memory.)
     let most = refinement.segments.ends.len() + refinement.provenances.on_segments();
     let mut found = Vec::with_capacity(most);
-    found.extend(mesh.constrained_edges().filter(is_first).filter_map(|edge| {
-        let segment = refinement.segment_of(mesh.ends(edge))?;
-        let edge = edge.triangle() << 3 | edge.index() as u32;
-        Some(u64::from(segment) << 32 | u64::from(edge))
-    }));
+    mesh.each_constrained_edge(|edge| {
+        let behind = mesh.behind(edge);
+        if !behind.is_outside() && edge.triangle() > behind.triangle() {
+            return; // it was heard already
+        }
+        if let Some(segment) = refinement.segment_of(mesh.ends(edge)) {
+            let edge = edge.triangle() << 3 | edge.index() as u32;
+            found.push(u64::from(segment) << 32 | u64::from(edge));
+        }
+    });
     sort_by_upper_half(&mut found);
     found
 }

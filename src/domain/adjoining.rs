@@ -35,9 +35,11 @@ pub fn adjoining(points: &[[f64; 2]], segments: &[[u32; 2]]) -> (Vec<u32>, Vec<u
     (start, adjoining)
 }
 
-/// The other end of the segment with the given ends.
-pub fn other_end(ends: [u32; 2], end: u32) -> u32 {
-    if ends[0] == end { ends[1] } else { ends[0] }
+/// The other end of the segment with the given ends. (Without a branch: which one it is nobody
+/// guesses.)
+#[inline]
+pub fn other_end([a, b]: [u32; 2], end: u32) -> u32 {
+    a ^ b ^ end
 }
 
 /// Which of the segments `s`, `t` comes first, turning counter-clockwise about `apex` from

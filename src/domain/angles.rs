@@ -82,7 +82,8 @@ impl Domain {
 
     /// See [`Measured::is_surely_wider`].
     fn is_surely_wider(&self, apex: u32, segments: [u32; 2], cosine: f64) -> bool {
-        let ends = segments.map(|segment| self.far_end(segment, apex));
+        let [s, t] = segments;
+        let ends = [self.far_end(s, apex), self.far_end(t, apex)];
         Measured::is_surely_wider(self.points[apex as usize], ends, cosine)
     }
 

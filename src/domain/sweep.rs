@@ -91,12 +91,16 @@ pub fn sweep(linework: &Linework, seeds: &[[f64; 2]]) -> Result<Located, Violati
     let mut seed_order: Vec<u32> = (0..seeds.len() as u32).filter(is_near).collect();
     seed_order.sort_by(|&i, &j| lexicographic(seeds[i as usize], seeds[j as usize]));
     let mut waiting = seed_order.into_iter().peekable();
-    let at = |&point: &u32| linework.points[point as usize];
-    let mut places = Vec::new();
+    let fetch = |&point: &u32| Stop {
+        point,
+        place: linework.points[point as usize],
+        adjoining: linework.adjoining_at(point),
+    };
+    let mut stops = Vec::new();
     for many in linework.order.chunks(FETCHED) {
-        places.clear();
-        places.extend(many.iter().map(at));
-        for (&point, &place) in many.iter().zip(&places) {
+        stops.clear();
+        stops.extend(many.iter().map(fetch));
+        for stop @ Stop { point, place, .. } in stops.iter().copied() {
             while let Some(seed) =
                 waiting.next_if(|&seed| lexicographic(seeds[seed as usize], place).is_le())
             {
@@ -106,7 +110,7 @@ pub fn sweep(linework: &Linework, seeds: &[[f64; 2]]) -> Result<Located, Violati
                     sweep.locate(seeds[seed as usize])
                 };
             }
-            located.below[point as usize] = sweep.pass(point, place)?;
+            located.below[point as usize] = sweep.pass(stop)?;
         }
     }
     Ok(located)
@@ -116,6 +120,15 @@ fn vertical_extent(points: &[[f64; 2]]) -> (f64, f64) {
     points
         .iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &[_, y]| (low.min(y), high.max(y)))
+}
+
+/// A point that the sweep line comes to.
+#[derive(Clone, Copy)]
+struct Stop<'a> {
+    point: u32,
+    place: [f64; 2],
+    /// The segments that end there, counter-clockwise from straight down.
+    adjoining: &'a [u32],
 }
 
 struct Sweep<'a> {
@@ -139,15 +152,15 @@ impl<'a> Sweep<'a> {
     }
 
     /// Moves the sweep line past a point; returns the segment below it.
-    fn pass(&mut self, point: u32, place: [f64; 2]) -> Result<u32, Violation> {
-        let (starting, ending) = self.starting_and_ending(point);
-        let [below, above] = self.neighbours(point, place, ending)?;
+    fn pass(&mut self, stop: Stop<'a>) -> Result<u32, Violation> {
+        let (starting, ending) = self.starting_and_ending(stop);
+        let [below, above] = self.neighbours(stop, ending)?;
         let segment_below =
             |below| if below == NONE { u32::MAX } else { self.status.segment(below) };
         if starting.is_empty() && ending.is_empty() {
             return Ok(segment_below(below));
         }
-        self.no_two_in_one_direction(point, starting)?;
+        self.no_two_in_one_direction(stop.place, starting)?;
 
         // From bottom to top, starting segments take the places of ending ones.
         let mut last = below;
@@ -180,24 +193,19 @@ impl<'a> Sweep<'a> {
 
     /// The segments that start at a point, from bottom to top, and those that end there, from top
     /// to bottom.
-    fn starting_and_ending(&self, point: u32) -> (&'a [u32], &'a [u32]) {
+    fn starting_and_ending(&self, stop: Stop<'a>) -> (&'a [u32], &'a [u32]) {
         let Linework { points, segments, .. } = *self.linework;
-        let all = self.linework.adjoining_at(point);
         let starts = |&segment: &u32| {
-            let other = other_end(segments[segment as usize], point);
-            lexicographic(points[other as usize], points[point as usize]).is_gt()
+            let other = other_end(segments[segment as usize], stop.point);
+            lexicographic(points[other as usize], stop.place).is_gt()
         };
-        all.split_at(all.partition_point(starts))
+        stop.adjoining.split_at(stop.adjoining.partition_point(starts))
     }
 
     /// The nodes directly below and above a point, once the segments that end there are known to
     /// lie between those two, and no other.
-    fn neighbours(
-        &self,
-        point: u32,
-        place: [f64; 2],
-        ending: &[u32],
-    ) -> Result<[u32; 2], Violation> {
+    fn neighbours(&self, stop: Stop, ending: &[u32]) -> Result<[u32; 2], Violation> {
+        let Stop { point, place, .. } = stop;
         let on = |node| Violation::PointOnSegment { point, segment: self.status.segment(node) };
         let (Some(&highest), Some(&lowest)) = (ending.first(), ending.last()) else {
             return match self.status.find(place) {
@@ -223,10 +231,10 @@ impl<'a> Sweep<'a> {
     }
 
     /// Overlapping segments that start at one point.
-    fn no_two_in_one_direction(&self, point: u32, starting: &[u32]) -> Result<(), Violation> {
+    fn no_two_in_one_direction(&self, from: [f64; 2], starting: &[u32]) -> Result<(), Violation> {
         for pair in starting.windows(2) {
             let [a, b] = [pair[0], pair[1]].map(|segment| self.ends(segment)[1]);
-            if side(self.linework.points[point as usize], a, b) == Side::On {
+            if side(from, a, b) == Side::On {
                 return Err(Violation::Segments([pair[0], pair[1]]));
             }
         }

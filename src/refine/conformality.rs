@@ -16,7 +16,8 @@ use crate::triangulation::Edge;
 impl Refinement<'_> {
     /// Queues every subsegment that an apex of its encroaches.
     pub(super) fn find_encroached_subsegments(&mut self) {
-        let edges: Vec<Edge> = self.mesh.constrained_edges().collect();
+        let mut edges = Vec::new();
+        self.mesh.each_constrained_edge(|edge| edges.push(edge));
         for edge in edges {
             self.queue_if_encroached(edge);
         }
