@@ -261,13 +261,14 @@ fn markers(
     if pslg.point_markers.is_empty() && domain.segment_tags.iter().all(|&tag| tag == 0) {
         return Vec::new();
     }
-    let marker = |v: u32| {
-        if let Some(point) = provenances.segment_point(v) {
-            return domain.segment_tags[point.segment as usize];
-        }
-        let input = domain.input_points.get(v as usize);
-        let given = input.and_then(|&input| pslg.point_markers.get(input as usize));
-        given.copied().unwrap_or(0)
+    let given = |input: u32| pslg.point_markers.get(input as usize).copied();
+    let inherited = |v: u32| {
+        let point = provenances.segment_point(v);
+        point.map(|point| domain.segment_tags[point.segment as usize])
     };
-    order.of_each(marker)
+    let marker = |v: u32| match domain.input_points.get(v as usize) {
+        Some(&input) => given(input),
+        None => inherited(v),
+    };
+    order.of_each(|v| marker(v).unwrap_or(0))
 }

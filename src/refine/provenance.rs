@@ -119,10 +119,9 @@ impl Provenances {
     /// The kind of a vertex.
     #[must_use]
     pub fn kind(&self, vertex: u32) -> Kind {
-        match self.segment_point(vertex) {
-            _ if self.is_input(vertex) => Kind::Input,
-            None => Kind::Circumcenter,
-            Some(point) => point.kind,
+        if self.is_input(vertex) {
+            return Kind::Input;
         }
+        self.segment_point(vertex).map_or(Kind::Circumcenter, |point| point.kind)
     }
 }
