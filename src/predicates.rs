@@ -89,13 +89,14 @@ impl Relative {
 }
 
 /// Whether the point from which three counter-clockwise corners are seen lies strictly inside their
-/// circle; `None` where rounding leaves that open, for [`in_circle_exactly`] to answer.
+/// circle, by their squared lengths and, opposite each, the cross product of the other two; `None`
+/// where rounding leaves that open, for [`in_circle_exactly`] to answer.
 #[inline(always)]
 #[must_use]
-pub fn surely_in_circle([a, b, c]: [Relative; 3]) -> Option<bool> {
-    let determinant = a.squared * b.cross(c) + b.squared * c.cross(a) + c.squared * a.cross(b);
+pub fn surely_in_circle([a, b, c]: [f64; 3], crosses: [f64; 3]) -> Option<bool> {
+    let determinant = a * crosses[0] + b * crosses[1] + c * crosses[2];
     // The bound of DESIGN, *Kernel*: 10 ε times the sum of the products of squared lengths.
-    let size = a.squared * b.squared + b.squared * c.squared + c.squared * a.squared;
+    let size = a * b + b * c + c * a;
     (determinant.abs() > 1.12e-15 * size).then_some(determinant > 0.0)
 }
 
@@ -108,7 +109,9 @@ pub fn in_circle(
     corners: impl FnOnce() -> [[f64; 2]; 3],
     p: [f64; 2],
 ) -> bool {
-    surely_in_circle(seen).unwrap_or_else(|| in_circle_exactly(corners(), p))
+    let [a, b, c] = seen;
+    surely_in_circle(seen.map(|v| v.squared), [b.cross(c), c.cross(a), a.cross(b)])
+        .unwrap_or_else(|| in_circle_exactly(corners(), p))
 }
 
 /// Whether `p` lies strictly inside the circle through three counter-clockwise `corners`.
@@ -130,6 +133,15 @@ pub fn surely_left([a, b]: [Relative; 2]) -> Option<bool> {
     let cross = plus - minus;
     // Shewchuk's bound A for orientation: (3 + 16 ε) ε.
     (cross.abs() > 3.331e-16 * (plus.abs() + minus.abs())).then_some(cross > 0.0)
+}
+
+/// Whether the point from which `a` and `b` are seen surely lies to the left of the directed line from
+/// `a` to `b`, by their cross product; where not, [`surely_left`] may still tell.
+#[inline(always)]
+#[must_use]
+pub fn is_surely_left(cross: f64, [a, b]: [Relative; 2]) -> bool {
+    // |a.x b.y| + |a.y b.x| ≤ |a||b| ≤ (|a|² + |b|²)/2: half of bound A, and a little more.
+    cross > 1.67e-16 * (a.squared + b.squared)
 }
 
 /// Whether `p` lies strictly to the left of the directed line from `a` to `b`.

@@ -1,7 +1,7 @@
 //! The work of a run, in counts that no machine changes: what makes it slower shows here first.
 
 use meshwright::refine::counters::Counters;
-use meshwright::{Parameters, Pslg, Steiner, mesh};
+use meshwright::{Outcome, Parameters, Pslg, Steiner, mesh};
 
 /// Random points in a box (the generator is Knuth's, MMIX).
 fn points(count: usize) -> Pslg {
@@ -28,6 +28,18 @@ fn a_steiner_point_replaces_few_triangles_and_few_wait_in_vain() {
     assert!((12_000..13_500).contains(&found.committed), "{found:?}");
     assert!(found.mean_cavity() < 4.3, "{found:?}");
     assert!(stale < 0.6, "{found:?}");
+}
+
+/// More wait there than one tile holds: squares fill up one after the other.
+#[test]
+fn a_square_that_fills_up_by_tiles_keeps_every_promise_with_few_more_points() {
+    let by_area = |max_area| Parameters { max_area: Some(max_area), ..Parameters::default() };
+    let made = |max_area| mesh(&points(0), &by_area(max_area)).expect("it is meshed");
+    let (coarse, fine) = (made(1e-4), made(5e-6));
+    assert!(fine.certificate.holds(), "{:?}", fine.certificate);
+    let filling = |made: &Outcome, max_area: f64| 1.0 / max_area / made.mesh.triangles.len() as f64;
+    let (coarse, fine) = (filling(&coarse, 1e-4), filling(&fine, 5e-6));
+    assert!((fine / coarse - 1.0).abs() < 0.02, "{coarse} {fine}");
 }
 
 #[test]

@@ -200,7 +200,7 @@ impl Refinement<'_> {
         }
         for entry in released {
             if self.is_still_there(entry) {
-                self.queue_if_bad(entry.slot);
+                self.queue_if_bad(entry.slot());
             }
         }
         ControlFlow::Continue(())

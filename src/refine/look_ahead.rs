@@ -111,7 +111,7 @@ impl Refinement<'_> {
         if trigger.only_size {
             return None;
         }
-        let demand = self.demand(entry.slot, trigger);
+        let demand = self.demand(entry.slot(), trigger);
         let mut survey = std::mem::take(&mut self.survey);
         survey.begin(&self.mesh, (demand.slot, demand.nearest), demand.places());
         survey.look_around(&self.mesh, &Ahead(self));
@@ -187,7 +187,7 @@ impl Look for Ahead<'_, '_> {
     }
 
     fn target(&self) -> MinAngle {
-        self.0.target()
+        self.0.target
     }
 
     fn may_be_too_large(&self) -> Option<impl Fn([Relative; 2]) -> bool> {

@@ -19,6 +19,7 @@
 //! [`refine`] is the loop; [`Refinement`] is everything that it changes.
 
 mod augment;
+mod bad;
 pub mod conformality;
 pub mod counters;
 mod division;
@@ -42,21 +43,18 @@ pub mod steiner;
 mod survey;
 pub mod terminator;
 pub mod thin;
+mod tiles;
 pub mod trace;
 
 use std::collections::{BTreeSet, VecDeque};
 use std::ops::ControlFlow;
 
-use crate::constructions::Angle;
-use crate::corners::{next, previous};
 use crate::domain::Domain;
 use crate::parameters::{MinAngle, Parameters, Rule, Splitting, Steiner};
-use crate::predicates::Relative;
 use crate::triangulation::{Cavity, Triangulation};
 use counters::Counters;
 use incremental::{Introduced, Introduction};
 use provenance::Provenances;
-use quality::{Look, Trigger};
 use queue::{Entry, Order, Queue};
 use segments::Segments;
 use sizes::Sizes;
@@ -64,13 +62,9 @@ use sizing::Sizing;
 use steiner::Placement;
 use survey::Survey;
 use thin::Tried;
+use tiles::Tiles;
 use trace::{Cause, Listener, Proposer, Refusal};
 
-/// Bad triangles are taken tile by tile, this many triangles in the order of their slots: a tile
-/// stays in the cache.
-const TILE: usize = 10_000;
-/// Up to this many bad triangles one tile holds all: the order is the global one.
-const ONE_TILE: usize = 20_000;
 /// Progress is told after this many points.
 const PROGRESS_STEP: usize = 1 << 13;
 
@@ -96,6 +90,8 @@ pub struct Refinement<'a> {
     precision: Precision,
     placement: Placement,
     order: Order,
+    /// The angle asked for: the soft target, or κ̂ where there is none.
+    target: MinAngle,
     /// Whether every angle below κ̂ that is not excused is bad, and the shortest edge comes first.
     is_plain: bool,
     /// Whether any triangle may be bad for its size.
@@ -106,6 +102,7 @@ pub struct Refinement<'a> {
     survey: Survey,
     /// With [`Parameters::incremental`]: what the mesh may know of so far.
     introduced: Option<Introduced>,
+    tiles: Tiles,
 }
 
 /// Where doubles end (ALGORITHM §§2, 9).
@@ -184,7 +181,7 @@ pub fn refine(
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> End {
     let ended = refinement.run(progress);
-    refinement.queue = Queue::default(); // for its memory
+    (refinement.queue, refinement.tiles) = (Queue::default(), Tiles::default()); // for their memory
     match ended {
         ControlFlow::Continue(()) => End::Finished,
         ControlFlow::Break(end) => end,
@@ -228,6 +225,7 @@ impl<'a> Refinement<'a> {
             sizes,
             precision: Precision::of(domain),
             placement: Placement::new(parameters),
+            target: parameters.soft_angle.unwrap_or(parameters.min_angle),
             is_plain: !worst_first && parameters.soft_angle.is_none() && !parameters.incremental,
             order: if worst_first { Order::SmallestAngle } else { Order::ShortestEdge },
             queue: Queue::default(),
@@ -235,6 +233,7 @@ impl<'a> Refinement<'a> {
             cavity: Cavity::default(),
             survey: Survey::default(),
             introduced,
+            tiles: Tiles::default(),
         }
     }
 
@@ -249,124 +248,17 @@ impl<'a> Refinement<'a> {
             self.augment()?;
         }
         self.divide_by_sizes(&mut watch)?;
-        for tile in self.tiles() {
-            for slot in tile {
-                let corners = self.mesh.corners(slot);
-                let seen = [1, 2].map(|i| Relative::of(corners[i], corners[0]));
-                self.queue_at_a_glance(slot, seen);
-            }
+        for tile in self.slots_by_tiles() {
+            tile.for_each(|slot| self.queue_if_bad(slot));
             self.improve_all(&mut watch)?;
         }
         ControlFlow::Continue(())
-    }
-
-    /// (Quality′) until no bad triangle waits.
-    fn improve_all(&mut self, watch: &mut Watch) -> Flow {
-        while let Some(entry) = self.queue.pop() {
-            self.improve(entry, watch)?;
-        }
-        ControlFlow::Continue(())
-    }
-
-    /// Ranges of slots whose bad triangles are taken together. The slots that are made on the way
-    /// queue themselves.
-    fn tiles(&self) -> Vec<std::ops::Range<u32>> {
-        let all = self.mesh.triangles.len() as u32;
-        let bad = (0..all).filter(|&slot| self.trigger(slot).is_some());
-        if bad.take(ONE_TILE + 1).count() <= ONE_TILE {
-            return std::iter::once(0..all).collect();
-        }
-        let starts = (0..all).step_by(TILE);
-        starts.map(|start| start..all.min(start + TILE as u32)).collect()
-    }
-
-    fn queue_if_bad(&mut self, slot: u32) {
-        if let Some(trigger) = self.trigger(slot) {
-            let vertices = self.mesh.triangles[slot as usize].vertices;
-            let entry = Entry { slot, newest: vertices[0] };
-            if !self.introduced.as_mut().is_some_and(|those| those.lets_wait(entry, vertices)) {
-                self.queue.push(self.order.bucket(trigger), entry);
-            }
-        }
-    }
-
-    /// Why a triangle is bad, if it is: an angle below κ̂, or below the soft target where that may
-    /// be attacked, that is not excused; or its size.
-    fn trigger(&self, slot: u32) -> Option<Trigger> {
-        if self.mesh.is_outside_the_region(slot) {
-            return None;
-        }
-        let corners = self.mesh.corners(slot);
-        let allowed = |found: &Trigger| {
-            self.parameters.soft_angle.is_none()
-                || found.angle.is_below(self.parameters.min_angle)
-                || soft::may_attack(self.domain, corners, *found)
-                || self.may_be_improved_for_its_size(slot)
-        };
-        self.small_angle(slot).filter(allowed).or_else(|| {
-            let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
-            let too_large =
-                self.sizing.is_too_large(corners, region) || self.is_larger_than_its_size(slot);
-            too_large.then(|| quality::by_size(corners))
-        })
-    }
-
-    /// The smallest angle of a triangle that is below what is asked for and not excused. A glance
-    /// mostly tells which one that is.
-    fn small_angle(&self, slot: u32) -> Option<Trigger> {
-        let corners = self.mesh.corners(slot);
-        let [a, b] = [1, 2].map(|i| Relative::of(corners[i], corners[0]));
-        match quality::look(a, b, self.target()) {
-            Look::Fine => None,
-            Look::Small { edge, is_clear: true, .. } if !self.may_excuse(slot, edge) => {
-                Some(Trigger::opposite(corners, edge))
-            }
-            _ => {
-                let vertices = self.mesh.triangles[slot as usize].vertices;
-                let excused = |edge: usize, angle| self.is_excused(vertices, edge, angle);
-                quality::trigger(corners, self.target(), excused)
-            }
-        }
     }
 
     /// The features in the order in which they were introduced; empty unless one by one.
     #[must_use]
     pub fn introductions(&self) -> &[Introduction] {
         self.introduced.as_ref().map_or(&[], |introduced| &introduced.order)
-    }
-
-    /// The angle asked for: the soft target, or κ̂ where there is none.
-    fn target(&self) -> MinAngle {
-        self.parameters.soft_angle.unwrap_or(self.parameters.min_angle)
-    }
-
-    /// The triangles with an angle below the soft target that is not excused, by their slots, with
-    /// the angle; none without a soft target.
-    pub fn missed(&self) -> impl Iterator<Item = (u32, Angle)> + '_ {
-        let soft = self.parameters.soft_angle.map(|_| 0..self.mesh.triangles.len() as u32);
-        soft.into_iter()
-            .flatten()
-            .filter_map(|slot| self.small_angle(slot).map(|found| (slot, found.angle)))
-    }
-
-    /// Whether the `angle` opposite an edge is left alone, because the edge lies across a small
-    /// input angle.
-    fn is_excused(&self, vertices: [u32; 3], edge: usize, angle: Angle) -> bool {
-        if self.parameters.rule != Rule::Adaptive {
-            return false;
-        }
-        let segment_point = |i: usize| self.provenances.segment_point(vertices[i]).copied();
-        let (Some(a), Some(b)) = (segment_point(next(edge)), segment_point(previous(edge))) else {
-            return false;
-        };
-        if a.segment == b.segment {
-            return false;
-        }
-        self.segments.shared_end(a.segment, b.segment).is_some_and(|shared| {
-            let theta = self.segments.angle(a.segment, b.segment, shared, &self.mesh.points);
-            let across = excuse::Across { points: [a, b], shared, theta };
-            across.excuses(self.parameters.excuse, angle)
-        })
     }
 
     /// (Quality′): commits the Steiner point of a bad triangle, or splits what it would encroach.
@@ -376,16 +268,16 @@ impl<'a> Refinement<'a> {
             self.counters.stale += 1;
             return ControlFlow::Continue(());
         }
-        let Some(trigger) = self.trigger(entry.slot) else {
+        let Some(trigger) = self.trigger_of(entry) else {
             return ControlFlow::Continue(());
         };
         self.leave_room()?;
-        let corners = self.mesh.corners(entry.slot);
+        let corners = self.mesh.corners(entry.slot());
         let ahead = match self.parameters.steiner {
             Steiner::LookAhead => self.look_ahead(entry, trigger),
             _ => None,
         };
-        let vertices = self.mesh.triangles[entry.slot as usize].vertices;
+        let vertices = self.mesh.triangles[entry.slot() as usize].vertices;
         let usual = || {
             self.precision.round(match self.size_over_edge(vertices, trigger) {
                 Some(size) => steiner::at_size(corners, trigger, size),
@@ -395,22 +287,24 @@ impl<'a> Refinement<'a> {
         let point = ahead.unwrap_or_else(usual);
         let proposer = Proposer { vertices, trigger, point };
         if ahead.is_none()
-            && let Err(rejected) = self.cavity.of_steiner_point(&self.mesh, point, entry.slot)
+            && let Err(rejected) = self.cavity.of_steiner_point(&self.mesh, point, entry.slot())
         {
             self.refuse(entry, proposer, rejected.into());
             return ControlFlow::Continue(());
         }
         if self.introduced.is_some() && self.calls_segments(proposer, watch)? {
             if self.is_still_there(entry) {
-                self.queue_if_bad(entry.slot);
+                self.queue_if_bad(entry.slot());
             }
             return ControlFlow::Continue(());
         }
-        let encroached: Vec<[u32; 2]> =
-            self.cavity.encroached(&self.mesh).map(|side| side.ends).collect();
-        if !encroached.is_empty() {
-            self.tell_rejected(proposer, &encroached);
-            return self.split_instead(entry, proposer, encroached, watch);
+        if self.cavity.is_constrained() {
+            let encroached: Vec<[u32; 2]> =
+                self.cavity.encroached(&self.mesh).map(|side| side.ends).collect();
+            if !encroached.is_empty() {
+                self.tell_rejected(proposer, &encroached);
+                return self.split_instead(entry, proposer, encroached, watch);
+            }
         }
         match self.commit_steiner_point() {
             Ok(()) => self.tell_commit(proposer),
@@ -444,14 +338,14 @@ impl<'a> Refinement<'a> {
         if !split {
             self.refuse(entry, proposer, Refusal::AllSplitsRefused);
         } else if self.is_still_there(entry) {
-            self.queue_if_bad(entry.slot);
+            self.queue_if_bad(entry.slot());
         }
         ControlFlow::Continue(())
     }
 
     /// Whether the triangle that was queued is still in its slot.
     fn is_still_there(&self, entry: Entry) -> bool {
-        self.mesh.triangles[entry.slot as usize].vertices[0] == entry.newest
+        self.mesh.has(entry.slot(), entry.newest)
     }
 
     /// The distance of a vertex on a segment from the segment's first end, rounded.
@@ -497,58 +391,6 @@ impl<'a> Refinement<'a> {
         self.mesh.commit(&mut self.cavity);
     }
 
-    /// Queues the bad ones of the triangles that were just made.
-    fn queue_bad_of_star(&mut self) {
-        for i in 0..self.cavity.size() {
-            self.queue_at_a_glance(self.cavity.star[i], self.cavity.seen(i));
-        }
-    }
-
-    /// Queues a triangle if it is bad, its corners 1 and 2 as seen from corner 0: measured exactly only
-    /// where a glance does not tell.
-    #[inline]
-    fn queue_at_a_glance(&mut self, slot: u32, [a, b]: [Relative; 2]) {
-        let look = quality::look(a, b, self.target());
-        if (look == Look::Fine && !self.is_sized) || self.mesh.is_outside_the_region(slot) {
-            return;
-        }
-        let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
-        let may_be_too_large =
-            || self.sizing.may_be_too_large(a, b, region) || self.sizes.is_some();
-        let squared = match look {
-            Look::Fine if self.sizing.is_surely_too_large(a, b, region) => {
-                quality::squared_edges(a, b).into_iter().reduce(f64::min)
-            }
-            Look::Fine if !may_be_too_large() => return,
-            Look::Small { edge, squared, .. } => {
-                Some(squared).filter(|_| !self.may_excuse(slot, edge))
-            }
-            _ => None,
-        };
-        match squared.filter(|_| self.is_plain) {
-            Some(squared) => {
-                let newest = self.mesh.triangles[slot as usize].vertices[0];
-                self.queue.push(queue::by_length(squared), Entry { slot, newest });
-            }
-            None => self.queue_if_bad(slot),
-        }
-    }
-
-    /// Whether an edge may lie across a small input angle: both its ends split segments.
-    fn may_excuse(&self, slot: u32, edge: usize) -> bool {
-        let vertices = self.mesh.triangles[slot as usize].vertices;
-        let splits = |i: usize| self.provenances.splits_segment(vertices[i]);
-        splits(next(edge)) && splits(previous(edge))
-    }
-
-    /// A quick look at the triangle that a point makes with an edge of its cavity's boundary: whether
-    /// it may be bad.
-    fn may_be_bad(&self, [a, b]: [Relative; 2], region: u32) -> bool {
-        quality::may_be_small(a, b, self.target())
-            || self.sizing.may_be_too_large(a, b, region)
-            || self.sizes.is_some()
-    }
-
     /// Ends the run where the next point would be one too many.
     fn leave_room(&self) -> Flow {
         if self.mesh.points.len() < self.parameters.max_points {
@@ -566,7 +408,7 @@ impl<'a> Refinement<'a> {
         let progress = Progress {
             points: self.mesh.points.len(),
             triangles: self.mesh.triangles.len(),
-            waiting: self.queue.len(),
+            waiting: self.queue.len() + self.tiles.waiting(),
             thinning: None,
         };
         match (watch.tell)(progress) {

@@ -44,11 +44,11 @@ pub enum Look {
 }
 
 /// A quick look at the angles of the triangle of the point that `a` and `b` are seen from, which is
-/// its corner 0.
-#[inline]
+/// its corner 0; `cross` is their cross product.
+#[inline(always)]
 #[must_use]
-pub fn look(a: Relative, b: Relative, kappa: MinAngle) -> Look {
-    let (cross, dot) = (a.cross(b), a.dot(b));
+pub fn look(cross: f64, [a, b]: [Relative; 2], kappa: MinAngle) -> Look {
+    let dot = a.dot(b);
     // By |·||·|cos of the three angles as above.
     let cosines @ [_, at_a, at_b] = [dot, a.squared - dot, b.squared - dot];
     let largest = greater(dot, greater(at_a, at_b));
@@ -68,10 +68,20 @@ pub fn look(a: Relative, b: Relative, kappa: MinAngle) -> Look {
     }
 }
 
+/// The shortest edge of that triangle, with its squared length.
+#[inline]
+#[must_use]
+pub fn shortest(a: Relative, b: Relative) -> (usize, f64) {
+    let [first, second, third] = squared_edges(a, b);
+    // Of equals the first.
+    let (edge, squared) = if second < first { (1, second) } else { (0, first) };
+    if third < squared { (2, third) } else { (edge, squared) }
+}
+
 /// The squared lengths of the edges opposite the point that `a` and `b` are seen from, `a` and `b`.
 #[inline]
 #[must_use]
-pub fn squared_edges(a: Relative, b: Relative) -> [f64; 3] {
+fn squared_edges(a: Relative, b: Relative) -> [f64; 3] {
     let (x, y) = (a.x - b.x, a.y - b.y);
     [x * x + y * y, b.squared, a.squared]
 }
@@ -172,6 +182,11 @@ mod tests {
         assert_eq!((smallest, second.map(|t| t.edge)), (Some(1), Some(0)));
     }
 
+    fn look_at(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> Look {
+        let [a, b] = [a, b].map(|v| Relative::of(v, p));
+        look(a.cross(b), [a, b], MinAngle::default())
+    }
+
     #[test]
     fn a_look_tells_what_the_trigger_tells_or_that_it_is_unsure() {
         let kappa = MinAngle::default();
@@ -180,7 +195,7 @@ mod tests {
             let height = f64::from(step) / 2000.0;
             let corners = [[0.0, 0.0], [1.0, 0.0], [0.3 + 0.1 * height, height + 1e-3]];
             let [p, a, b] = corners;
-            let looked = look(Relative::of(a, p), Relative::of(b, p), kappa);
+            let looked = look_at(a, b, p);
             let found = trigger(corners, kappa, |_, _| false);
             match (looked, found) {
                 (Look::Fine, None) => counts[0] += 1,
@@ -200,7 +215,7 @@ mod tests {
     fn of_two_edges_as_short_a_look_does_not_tell_the_shorter_one() {
         let looked = |y: f64| {
             let [p, a, b] = [[0.0, 0.0], [2.0, 0.0], [1.0, y]];
-            look(Relative::of(a, p), Relative::of([b[0] + 1e-15, b[1]], p), MinAngle::default())
+            look_at(a, [b[0] + 1e-15, b[1]], p)
         };
         assert!(matches!(looked(0.1), Look::Small { is_clear: false, .. }));
     }

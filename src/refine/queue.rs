@@ -1,16 +1,61 @@
-//! The queue of bad triangles: as good as a heap, at the price of an array.
-
-use std::mem;
+//! The queue of bad triangles: as good as a heap, at the price of a list.
 
 use super::quality::Trigger;
 
 /// A bad triangle by its slot and its newest vertex: a slot that was reused since has another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Entry {
-    /// The slot.
-    pub slot: u32,
+    /// The slot, and below it in three bits the reason.
+    slot_and_reason: u32,
     /// Vertex 0 of the triangle that was queued.
     pub newest: u32,
+}
+
+/// What the look that queued a triangle told of why it is bad.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// The angle opposite this edge, its shortest, is too small, and not excused.
+    SmallAngle(usize),
+    /// It is too large. This edge is its shortest.
+    TooLarge(usize),
+    /// Still to be found out.
+    Unknown,
+}
+
+const UNKNOWN: u32 = 3;
+const LARGE: u32 = 4;
+
+impl Entry {
+    /// The triangle in a slot.
+    #[inline]
+    #[must_use]
+    pub fn new(slot: u32, newest: u32, reason: Reason) -> Self {
+        let reason = match reason {
+            Reason::SmallAngle(edge) => edge as u32,
+            Reason::TooLarge(edge) => LARGE | edge as u32,
+            Reason::Unknown => UNKNOWN,
+        };
+        Self { slot_and_reason: slot << 3 | reason, newest }
+    }
+
+    /// The slot.
+    #[inline]
+    #[must_use]
+    pub fn slot(self) -> u32 {
+        self.slot_and_reason >> 3
+    }
+
+    /// Why it is bad.
+    #[inline]
+    #[must_use]
+    pub fn reason(self) -> Reason {
+        let edge = (self.slot_and_reason & 3) as usize;
+        match self.slot_and_reason & 7 {
+            UNKNOWN => Reason::Unknown,
+            LARGE.. => Reason::TooLarge(edge),
+            _ => Reason::SmallAngle(edge),
+        }
+    }
 }
 
 /// What comes out first. Any order terminates (ALGORITHM §2); they differ in points and time.
@@ -55,22 +100,18 @@ fn by_sine(squared: f64) -> usize {
 }
 
 const BUCKETS: usize = 1 << 14;
-/// So many entries stand in a row.
-const ROW: usize = 16;
-/// No row, no place.
+/// No place.
 const NONE: u32 = u32::MAX;
 
-/// Buckets of entries, first in first out: each a list of short rows through one array, so that what
-/// is used of it stays in the cache, and an entry hardly takes more than its own memory.
+/// Buckets of entries, first in first out: lists through one array, whose places are used again, the
+/// last one first, so that what is used of it stays in the cache.
 #[derive(Debug)]
 pub struct Queue {
-    rows: Vec<[Entry; ROW]>,
-    /// The row after each one; after a row that is free comes the next free one.
-    after: Vec<u32>,
+    links: Vec<Link>,
+    /// The first of the places that are free, a list too.
     free: u32,
-    /// The places of each bucket's first and last entry. A row's number times [`ROW`] is the place of
-    /// its first entry.
-    ends: Vec<[u32; 2]>,
+    /// The places of each bucket's first and last entry.
+    ends: Box<[[u32; 2]; BUCKETS]>,
     /// One bit per bucket that is not empty.
     filled: [u64; BUCKETS / 64],
     /// No word before this one of `filled` has a bit.
@@ -78,13 +119,19 @@ pub struct Queue {
     length: usize,
 }
 
+#[derive(Debug, Clone, Copy)]
+struct Link {
+    entry: Entry,
+    /// The place of the next one in the list.
+    next: u32,
+}
+
 impl Default for Queue {
     fn default() -> Self {
         Self {
-            rows: Vec::new(),
-            after: Vec::new(),
+            links: Vec::new(),
             free: NONE,
-            ends: vec![[NONE; 2]; BUCKETS],
+            ends: Box::new([[NONE; 2]; BUCKETS]),
             filled: [0; BUCKETS / 64],
             lowest: 0,
             length: 0,
@@ -94,59 +141,57 @@ impl Default for Queue {
 
 impl Queue {
     /// Puts an entry into a bucket.
+    #[inline]
     pub fn push(&mut self, bucket: usize, entry: Entry) {
-        let [first, last] = self.ends[bucket];
-        let place = match last {
-            NONE => self.place_in_free_row(),
-            last if ends_a_row(last) => {
-                let place = self.place_in_free_row();
-                self.after[row(last)] = row(place) as u32;
-                place
-            }
-            last => last + 1,
-        };
-        self.rows[row(place)][place as usize % ROW] = entry;
-        self.ends[bucket] = [if first == NONE { place } else { first }, place];
+        let bucket = bucket % BUCKETS;
+        let place = self.place_for(Link { entry, next: NONE });
+        let [first, last] = &mut self.ends[bucket];
+        match self.links.get_mut(*last as usize) {
+            Some(last) => last.next = place,
+            None => *first = place,
+        }
+        *last = place;
         self.filled[bucket / 64] |= 1 << (bucket % 64);
         self.lowest = self.lowest.min(bucket / 64);
         self.length += 1;
     }
 
-    /// The first place of a row that no bucket has.
-    fn place_in_free_row(&mut self) -> u32 {
-        let row = self.free;
-        if row == NONE {
-            self.rows.push([Entry { slot: 0, newest: 0 }; ROW]);
-            self.after.push(NONE);
-            return ((self.rows.len() - 1) * ROW) as u32;
+    #[inline]
+    fn place_for(&mut self, link: Link) -> u32 {
+        let place = self.free;
+        match self.links.get_mut(place as usize) {
+            Some(free) => {
+                self.free = free.next;
+                *free = link;
+                place
+            }
+            None => {
+                self.links.push(link);
+                self.links.len() as u32 - 1
+            }
         }
-        self.free = self.after[row as usize];
-        row * ROW as u32
     }
 
-    /// Takes the oldest entry of the first bucket that is not empty.
-    pub fn pop(&mut self) -> Option<Entry> {
-        let words = &self.filled[self.lowest..];
-        self.lowest += words.iter().position(|&word| word != 0).unwrap_or(words.len());
-        let word = *self.filled.get(self.lowest)?;
-        let bucket = self.lowest * 64 + word.trailing_zeros() as usize;
-        let [first, last] = self.ends[bucket];
-        let entry = self.rows[row(first)][first as usize % ROW];
-        let is_done = first == last;
-        if is_done || ends_a_row(first) {
-            let done = row(first);
-            let after = mem::replace(&mut self.after[done], self.free);
-            self.free = done as u32;
-            self.ends[bucket][0] = after.wrapping_mul(ROW as u32);
-        } else {
-            self.ends[bucket][0] += 1;
+    /// Takes the oldest entry of the first bucket that is not empty, and tells which bucket that is.
+    #[inline]
+    pub fn pop(&mut self) -> Option<(usize, Entry)> {
+        while *self.filled.get(self.lowest)? == 0 {
+            self.lowest += 1;
         }
-        if is_done {
-            self.ends[bucket] = [NONE; 2];
-            self.filled[self.lowest] &= word - 1;
+        let word = &mut self.filled[self.lowest];
+        let bucket = (self.lowest * 64 + word.trailing_zeros() as usize) % BUCKETS;
+        let [first, last] = &mut self.ends[bucket];
+        let (place, link) = (*first, &mut self.links[*first as usize]);
+        *first = link.next;
+        if link.next == NONE {
+            *last = NONE;
+            *word &= *word - 1;
         }
+        let entry = link.entry;
+        link.next = self.free;
+        self.free = place;
         self.length -= 1;
-        Some(entry)
+        Some((bucket, entry))
     }
 
     /// How many entries there are, stale ones included.
@@ -162,14 +207,6 @@ impl Queue {
     }
 }
 
-fn row(place: u32) -> usize {
-    place as usize / ROW
-}
-
-fn ends_a_row(place: u32) -> bool {
-    place as usize % ROW == ROW - 1
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::{BTreeMap, VecDeque};
@@ -178,7 +215,17 @@ mod tests {
     use crate::random::Random;
 
     fn entry(slot: u32) -> Entry {
-        Entry { slot, newest: 0 }
+        Entry::new(slot, 0, Reason::Unknown)
+    }
+
+    #[test]
+    fn an_entry_keeps_its_slot_and_its_reason() {
+        for edge in 0..3 {
+            for reason in [Reason::SmallAngle(edge), Reason::TooLarge(edge), Reason::Unknown] {
+                let entry = Entry::new((1 << 29) - 1, 7, reason);
+                assert_eq!((entry.slot(), entry.reason()), ((1 << 29) - 1, reason));
+            }
+        }
     }
 
     #[test]
@@ -187,7 +234,7 @@ mod tests {
         for (bucket, slot) in [(900, 1), (70, 2), (900, 3), (70, 4)] {
             queue.push(bucket, entry(slot));
         }
-        let order: Vec<_> = std::iter::from_fn(|| queue.pop()).map(|e| e.slot).collect();
+        let order: Vec<_> = std::iter::from_fn(|| queue.pop()).map(|(_, e)| e.slot()).collect();
         assert_eq!(order, [2, 4, 1, 3]);
         assert!(queue.is_empty());
     }
@@ -201,15 +248,16 @@ mod tests {
             queue.push(bucket, entry(slot));
             lists.entry(bucket).or_default().push_back(entry(slot));
             for _ in 0..random.below(if slot < 12_000 { 2 } else { 4 }) {
-                let expected = lists.values_mut().find_map(VecDeque::pop_front);
+                let lists = lists.iter_mut();
+                let expected = lists.filter_map(|(&b, list)| Some((b, list.pop_front()?))).next();
                 assert_eq!(queue.pop(), expected);
             }
         }
-        for expected in lists.into_values().flatten() {
-            assert_eq!(queue.pop(), Some(expected));
+        for (bucket, list) in lists {
+            list.into_iter().for_each(|entry| assert_eq!(queue.pop(), Some((bucket, entry))));
         }
         assert!(queue.is_empty() && queue.pop().is_none());
-        assert!(queue.rows.len() * ROW < 7_000, "free rows are used again");
+        assert!(queue.links.len() < 7_000, "free places are used again");
     }
 
     #[test]

@@ -41,23 +41,22 @@ impl Sizing {
         !self.twice_largest.is_empty() || self.local.is_some()
     }
 
-    /// Whether the triangle of the point that `a` and `b` are seen from may be too large: a bound
-    /// that depends on the place counts everywhere.
+    /// Whether a triangle of this rounded area, twice, may be too large: a bound that depends on the
+    /// place counts everywhere.
     #[inline]
     #[must_use]
-    pub fn may_be_too_large(&self, a: Relative, b: Relative, region: u32) -> bool {
-        let is_above = |bound: f64| a.cross(b) > bound;
-        (!self.twice_largest.is_empty() && is_above(self.twice_largest[region as usize]))
-            || self.local.as_ref().is_some_and(|local| is_above(2.0 * local.least()))
+    pub fn may_be_too_large(&self, twice_area: f64, region: u32) -> bool {
+        (!self.twice_largest.is_empty() && twice_area > self.twice_largest[region as usize])
+            || self.local.as_ref().is_some_and(|local| twice_area > 2.0 * local.least())
     }
 
     /// Whether that triangle, none of whose angles is small, is too large for its region whatever
     /// rounding did.
     #[inline]
     #[must_use]
-    pub fn is_surely_too_large(&self, a: Relative, b: Relative, region: u32) -> bool {
+    pub fn is_surely_too_large(&self, twice_area: f64, region: u32) -> bool {
         let bound = self.twice_largest.get(region as usize);
-        bound.is_some_and(|bound| a.cross(b) > bound * 1.000_000_1)
+        bound.is_some_and(|bound| twice_area > bound * 1.000_000_1)
     }
 
     /// Whether a counter-clockwise triangle is too large.
@@ -92,11 +91,7 @@ mod tests {
         };
         let is_too_large = |at| {
             let sizing = Sizing::new(None, &[], &[local(at)]);
-            assert!(sizing.may_be_too_large(
-                Relative::of(HALF[1], HALF[0]),
-                Relative::of(HALF[2], HALF[0]),
-                0
-            ));
+            assert!(sizing.may_be_too_large(1.0, 0));
             sizing.is_too_large(HALF, 0)
         };
         assert!(is_too_large([0.0, 0.0]) && !is_too_large([0.5, 0.5]));

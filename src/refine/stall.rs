@@ -10,7 +10,7 @@ impl Refinement<'_> {
     pub fn stalled_at(&self) -> Vec<u32> {
         let subsegments = self.refused.subsegments.iter().map(|&ends| self.nearer_end(ends));
         let triangles = self.refused.triangles.iter().filter_map(|entry| {
-            let vertices = self.mesh.triangles[entry.slot as usize].vertices;
+            let vertices = self.mesh.triangles[entry.slot() as usize].vertices;
             (vertices[0] == entry.newest).then(|| self.apex_of(vertices)).flatten()
         });
         let mut found: Vec<u32> = subsegments.flatten().chain(triangles).collect();

@@ -71,32 +71,35 @@ struct Corner {
     /// What is behind the edge that ends here.
     behind: Edge,
     seen: Relative,
+    /// The cross product of that edge's ends as seen from the point.
+    cross: f64,
 }
 
-impl Corner {
-    #[inline(always)]
-    fn at(Vertex { index, seen }: Vertex, behind: Edge) -> Self {
-        Self { vertex: index, behind, seen }
-    }
-}
-
-/// An edge that a growing cavity has come to, which starts where its boundary ends so far. Vertices
-/// are told by their places among those met.
+/// An edge that a growing cavity has come to, which starts where its boundary ends so far.
 #[derive(Debug, Clone, Copy)]
 struct Front {
-    end: u32,
+    end: Vertex,
     behind: Edge,
-    /// The vertex opposite in the triangle behind, if that goes; else [`STAYS`].
-    apex: u32,
+    /// The cross product of its ends.
+    cross: f64,
+    /// Whether the triangle behind it goes.
+    goes: bool,
+    /// If so, the vertex opposite there.
+    apex: Vertex,
+    /// The cross products of the edge's start and the apex, and of the apex and the edge's end.
+    crosses: [f64; 2],
 }
-
-/// No place: the triangle stays.
-const STAYS: u32 = u32::MAX;
 
 /// Which triangles a cavity takes in.
 trait Rule {
-    /// Whether a triangle goes, by its corners.
-    fn goes(&self, mesh: &Triangulation, corners: [Vertex; 3], point: [f64; 2]) -> bool;
+    /// Whether a triangle goes, by its corners and, opposite each, the cross product of the other two.
+    fn goes(
+        &self,
+        mesh: &Triangulation,
+        corners: [Vertex; 3],
+        crosses: [f64; 3],
+        point: [f64; 2],
+    ) -> bool;
 }
 
 /// Those whose circumcircle holds the point.
@@ -104,8 +107,14 @@ struct Delaunay;
 
 impl Rule for Delaunay {
     #[inline(always)]
-    fn goes(&self, mesh: &Triangulation, corners: [Vertex; 3], point: [f64; 2]) -> bool {
-        match predicates::surely_in_circle(each(corners, |corner| corner.seen)) {
+    fn goes(
+        &self,
+        mesh: &Triangulation,
+        corners: [Vertex; 3],
+        crosses: [f64; 3],
+        point: [f64; 2],
+    ) -> bool {
+        match predicates::surely_in_circle(each(corners, |corner| corner.seen.squared), crosses) {
             Some(is_inside) => is_inside,
             None => mesh.is_in_circle(each(corners, |corner| corner.index), point),
         }
@@ -117,10 +126,16 @@ struct WithGhosts;
 
 impl Rule for WithGhosts {
     #[inline(always)]
-    fn goes(&self, mesh: &Triangulation, corners: [Vertex; 3], point: [f64; 2]) -> bool {
+    fn goes(
+        &self,
+        mesh: &Triangulation,
+        corners: [Vertex; 3],
+        crosses: [f64; 3],
+        point: [f64; 2],
+    ) -> bool {
         let vertices = each(corners, |corner| corner.index);
         match ghost_corner(vertices) {
-            None => Delaunay.goes(mesh, corners, point),
+            None => Delaunay.goes(mesh, corners, crosses, point),
             Some(i) => {
                 let ends = [vertices[next(i)], vertices[previous(i)]];
                 beyond_hull(ends.map(|v| mesh.points[v as usize]), point)
@@ -134,9 +149,15 @@ struct BesideSegment<F>(F);
 
 impl<F: Fn(u32) -> bool> Rule for BesideSegment<F> {
     #[inline(always)]
-    fn goes(&self, mesh: &Triangulation, corners: [Vertex; 3], point: [f64; 2]) -> bool {
-        corners.iter().filter(|corner| self.0(corner.index)).count() < 2
-            && Delaunay.goes(mesh, corners, point)
+    fn goes(
+        &self,
+        mesh: &Triangulation,
+        corners: [Vertex; 3],
+        crosses: [f64; 3],
+        point: [f64; 2],
+    ) -> bool {
+        Delaunay.goes(mesh, corners, crosses, point)
+            && corners.iter().filter(|corner| self.0(corner.index)).count() < 2
     }
 }
 
@@ -166,14 +187,16 @@ pub struct Cavity {
     pub point: [f64; 2],
     /// The boundary, counter-clockwise; the first corner is where its first edge starts.
     boundary: Vec<Corner>,
-    /// The vertices met, some of them twice.
-    vertices: Vec<Vertex>,
     /// The triangles that die; after the commit, the new ones, one per boundary edge.
     pub star: Vec<u32>,
     /// Of a split subsegment: where the second side's boundary starts (its length if there is none).
     second_side: Option<usize>,
     /// Whether any edge of the boundary is constrained.
     is_constrained: bool,
+    /// Whether the point surely lies to the left of every edge of the boundary, rounding or not.
+    is_surely_seen: bool,
+    /// The squared distance to the nearest corner of the boundary.
+    nearest_squared: f64,
     regions: [u32; 2],
     /// Edges still to be followed.
     fronts: Vec<Front>,
@@ -192,7 +215,7 @@ impl Cavity {
     ) -> Result<(), Rejected> {
         self.clear(point);
         let corners = each(mesh.triangles[root as usize].vertices, |v| self.vertex(mesh, v));
-        if !Delaunay.goes(mesh, corners, point) {
+        if !Delaunay.goes(mesh, corners, crosses(corners), point) {
             return Err(Rejected::OutsideItsDisc);
         }
         self.regions = [region(mesh, root); 2];
@@ -246,15 +269,16 @@ impl Cavity {
     fn clear(&mut self, point: [f64; 2]) {
         self.point = point;
         self.boundary.clear();
-        self.vertices.clear();
         self.star.clear();
         self.fronts.clear();
         self.second_side = None;
         self.is_constrained = false;
+        self.is_surely_seen = true;
+        self.nearest_squared = f64::INFINITY;
     }
 
     /// Takes in the first triangle on a side: the boundary is to go along these edges of it. Returns
-    /// the place of the vertex where it starts.
+    /// the vertex where it starts.
     #[inline(always)]
     fn take_root<const N: usize>(
         &mut self,
@@ -262,21 +286,22 @@ impl Cavity {
         root: u32,
         edges: [usize; N],
         rule: &impl Rule,
-    ) -> u32 {
+    ) -> Vertex {
         let triangle = &mesh.triangles[root as usize];
-        let first = self.vertices.len() as u32;
-        self.vertices.extend_from_slice(&each(triangle.vertices, |v| self.vertex(mesh, v)));
-        let place = |corner: usize| first + corner as u32;
-        let start = place(next(edges[0]));
+        let corners = each(triangle.vertices, |v| self.vertex(mesh, v));
+        let crosses = crosses(corners);
+        let start = corners[next(edges[0])];
         if self.boundary.is_empty() {
-            self.boundary.push(Corner::at(self.vertices[start as usize], Edge::OUTSIDE));
+            self.nearest_squared = start.seen.squared;
+            let (vertex, behind, seen) = (start.index, Edge::OUTSIDE, start.seen);
+            self.boundary.push(Corner { vertex, behind, seen, cross: 0.0 });
         }
         self.star.push(root);
         for i in edges.into_iter().rev() {
-            let ends = [place(next(i)), place(previous(i))];
+            let ends = [corners[next(i)], corners[previous(i)]];
             let behind = triangle.neighbors[i];
-            let front = self.front(mesh, ends, behind, self.beyond(mesh, behind), rule);
-            self.fronts.push(front);
+            let apex = self.apex_behind(mesh, behind);
+            self.fronts.push(self.front(mesh, ends, crosses[i], behind, apex, rule));
         }
         start
     }
@@ -296,49 +321,54 @@ impl Cavity {
     ) -> Result<(), Rejected> {
         let mut start = self.take_root(mesh, root, edges, rule);
         while let Some(mut front) = self.fronts.pop() {
-            while front.apex != STAYS {
-                let Front { end, behind, apex } = front;
+            while front.goes {
+                let Front { end, behind, apex, crosses, .. } = front;
                 self.star.push(behind.triangle());
                 if self.star.len() > mesh.triangles.len() {
                     return Err(Rejected::Malformed);
                 }
                 let neighbors = &mesh.triangles[behind.triangle() as usize].neighbors;
-                let [first, second] =
-                    [next(behind.index()), previous(behind.index())].map(|i| neighbors[i]);
-                let beyond = [self.beyond(mesh, first), self.beyond(mesh, second)];
-                let second = self.front(mesh, [apex, end], second, beyond[1], rule);
-                front = self.front(mesh, [start, apex], first, beyond[0], rule);
+                let (i, j) = (next(behind.index()), previous(behind.index()));
+                let [before, after] = [neighbors[i], neighbors[j]];
+                let apices = [self.apex_behind(mesh, before), self.apex_behind(mesh, after)];
+                let second = self.front(mesh, [apex, end], crosses[1], after, apices[1], rule);
+                front = self.front(mesh, [start, apex], crosses[0], before, apices[0], rule);
                 self.fronts.push(second);
             }
-            let Front { end, behind, .. } = front;
+            let Front { end, behind, cross, .. } = front;
             self.is_constrained |= behind.is_constrained();
-            self.boundary.push(Corner::at(self.vertices[end as usize], behind));
+            self.is_surely_seen &= predicates::is_surely_left(cross, [start.seen, end.seen]);
+            self.nearest_squared = lesser(self.nearest_squared, end.seen.squared);
+            self.boundary.push(Corner { vertex: end.index, behind, seen: end.seen, cross });
             start = end;
         }
         Ok(())
     }
 
-    /// The edge between two of the vertices met, and whether what is behind it goes.
+    /// The edge between two vertices, by what is behind it and the vertex opposite there; and whether
+    /// that triangle goes.
     #[inline(always)]
     fn front(
-        &mut self,
+        &self,
         mesh: &Triangulation,
-        [start, end]: [u32; 2],
+        [start, end]: [Vertex; 2],
+        cross: f64,
         behind: Edge,
         apex: Option<Vertex>,
         rule: &impl Rule,
     ) -> Front {
-        let Some(apex) = apex else { return Front { end, behind, apex: STAYS } };
-        let corners = [self.vertices[end as usize], self.vertices[start as usize], apex];
-        let goes = rule.goes(mesh, corners, self.point);
-        let place = self.vertices.len() as u32;
-        self.vertices.push(apex);
-        Front { end, behind, apex: if goes { place } else { STAYS } }
+        let Some(apex) = apex else {
+            return Front { end, behind, cross, goes: false, apex: end, crosses: [0.0; 2] };
+        };
+        let crosses = [start.seen.cross(apex.seen), apex.seen.cross(end.seen)];
+        let around = [crosses[0], crosses[1], -cross];
+        let goes = rule.goes(mesh, [end, start, apex], around, self.point);
+        Front { end, behind, cross, goes, apex, crosses }
     }
 
     /// The vertex opposite in the triangle behind, if the edge may be crossed.
     #[inline(always)]
-    fn beyond(&self, mesh: &Triangulation, behind: Edge) -> Option<Vertex> {
+    fn apex_behind(&self, mesh: &Triangulation, behind: Edge) -> Option<Vertex> {
         (!behind.is_constrained()).then(|| self.vertex(mesh, mesh.apex(behind)))
     }
 
@@ -359,8 +389,8 @@ impl Cavity {
     /// # Errors
     /// [`Rejected::Unseen`].
     pub fn expect_visible(&self, mesh: &Triangulation) -> Result<(), Rejected> {
-        let visible = self.sides().all(|side| mesh.is_left(side.ends, side.seen, self.point));
-        if visible { Ok(()) } else { Err(Rejected::Unseen) }
+        let sees = |side: BoundaryEdge| mesh.is_left(side.ends, side.seen, self.point);
+        if self.is_surely_seen || self.sides().all(sees) { Ok(()) } else { Err(Rejected::Unseen) }
     }
 
     /// How many edges the boundary has.
@@ -371,18 +401,22 @@ impl Cavity {
 
     /// The edges of the boundary, counter-clockwise.
     pub fn sides(&self) -> impl ExactSizeIterator<Item = BoundaryEdge> + '_ {
-        self.boundary.windows(2).map(|ends| BoundaryEdge {
-            ends: [ends[0].vertex, ends[1].vertex],
-            behind: ends[1].behind,
-            seen: [ends[0].seen, ends[1].seen],
-        })
+        self.boundary.windows(2).map(side)
     }
 
-    /// The ends of edge `i` of the boundary as seen from the point.
+    /// Edge `i` of the boundary.
     #[inline]
     #[must_use]
-    pub fn seen(&self, i: usize) -> [Relative; 2] {
-        [self.boundary[i].seen, self.boundary[i + 1].seen]
+    pub fn side(&self, i: usize) -> BoundaryEdge {
+        side(&self.boundary[i..i + 2])
+    }
+
+    /// The cross product of the ends of edge `i` of the boundary as seen from the point: twice the area
+    /// of the new triangle there.
+    #[inline]
+    #[must_use]
+    pub fn cross(&self, i: usize) -> f64 {
+        self.boundary[i + 1].cross
     }
 
     /// The subsegments on the boundary.
@@ -409,14 +443,16 @@ impl Cavity {
     }
 
     /// The squared distance to the nearest vertex (all nearest ones are on the boundary).
+    #[inline]
     #[must_use]
     pub fn nearest_squared(&self) -> f64 {
-        self.boundary.iter().map(|corner| corner.seen.squared).fold(f64::INFINITY, lesser)
+        self.nearest_squared
     }
 
     /// Whether any edge of the boundary is constrained.
     #[inline]
-    pub(super) fn is_constrained(&self) -> bool {
+    #[must_use]
+    pub fn is_constrained(&self) -> bool {
         self.is_constrained
     }
 
@@ -455,6 +491,22 @@ impl Cavity {
     pub fn region(&self, i: usize) -> u32 {
         self.regions[usize::from(self.second_side.is_some_and(|second| i >= second))]
     }
+}
+
+/// The edge between two successive corners of a boundary.
+#[inline(always)]
+fn side(ends: &[Corner]) -> BoundaryEdge {
+    BoundaryEdge {
+        ends: [ends[0].vertex, ends[1].vertex],
+        behind: ends[1].behind,
+        seen: [ends[0].seen, ends[1].seen],
+    }
+}
+
+/// Opposite each corner the cross product of the other two.
+#[inline(always)]
+fn crosses([a, b, c]: [Vertex; 3]) -> [f64; 3] {
+    [b.seen.cross(c.seen), c.seen.cross(a.seen), a.seen.cross(b.seen)]
 }
 
 fn region(mesh: &Triangulation, triangle: u32) -> u32 {

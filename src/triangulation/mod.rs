@@ -125,6 +125,13 @@ impl Triangulation {
         self.regions.get(triangle as usize) == Some(&OUTSIDE_THE_REGION)
     }
 
+    /// Whether the triangle in a slot is still the one whose vertex 0, its newest, is this.
+    #[inline]
+    #[must_use]
+    pub fn has(&self, triangle: u32, newest: u32) -> bool {
+        self.triangles[triangle as usize].vertices[0] == newest
+    }
+
     /// The coordinates of a triangle's vertices.
     #[inline]
     #[must_use]

@@ -40,13 +40,13 @@ impl Look for Thinning<'_, '_> {
     }
 
     fn target(&self) -> MinAngle {
-        self.refinement.target()
+        self.refinement.target
     }
 
     fn may_be_too_large(&self) -> Option<impl Fn([Relative; 2]) -> bool> {
         // (What the sizes of points say shows after the commit: only then the new one's is known.)
         let sizing = &self.refinement.sizing;
-        let may_be = |[a, b]: [Relative; 2]| sizing.may_be_too_large(a, b, self.region);
+        let may_be = |[a, b]: [Relative; 2]| sizing.may_be_too_large(a.cross(b), self.region);
         sizing.has_bounds().then_some(may_be)
     }
 

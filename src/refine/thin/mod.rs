@@ -18,6 +18,7 @@ mod tests;
 
 use std::ops::ControlFlow;
 
+use super::queue::Entry;
 use super::survey::Survey;
 use super::{Progress, Refinement};
 use crate::parameters::Thinning;
@@ -119,7 +120,7 @@ impl Thinner {
 
     /// Leaves alone what was refused.
     fn freeze(&mut self, refinement: &Refinement) {
-        self.frozen = refinement.refused.triangles.iter().map(|entry| entry.slot).collect();
+        self.frozen = refinement.refused.triangles.iter().map(|entry| entry.slot()).collect();
         self.frozen.sort_unstable();
     }
 
@@ -234,8 +235,8 @@ impl Refinement<'_> {
         self.refused.subsegments =
             refused.into_iter().map(|ends| ends.map(|v| new.vertex(v))).collect();
         for entry in &mut self.refused.triangles {
-            entry.slot = new.slot(entry.slot);
-            entry.newest = new.vertex(entry.newest);
+            let (slot, newest) = (new.slot(entry.slot()), new.vertex(entry.newest));
+            *entry = Entry::new(slot, newest, entry.reason());
         }
         thinner.freeze(self);
     }
