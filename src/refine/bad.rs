@@ -7,10 +7,13 @@ use crate::constructions::Angle;
 use crate::corners::{next, previous};
 use crate::parameters::Rule;
 use crate::predicates::Relative;
+use crate::triangulation::OUTSIDE_THE_REGION;
+use crate::triangulation::cavity::BoundaryEdge;
 
 /// A triangle with its corners 1 and 2 as seen from corner 0, and their cross product: twice its area.
 #[derive(Debug, Clone, Copy)]
 struct Seen {
+    slot: u32,
     vertices: [u32; 3],
     seen: [Relative; 2],
     cross: f64,
@@ -22,8 +25,8 @@ impl Refinement<'_> {
         let vertices = self.mesh.triangles[slot as usize].vertices;
         let corners = self.mesh.corners(slot);
         let seen = [1, 2].map(|i| Relative::of(corners[i], corners[0]));
-        let seen = Seen { vertices, seen, cross: seen[0].cross(seen[1]) };
-        self.queue_if_seen_to_be_bad(slot, seen, None);
+        let cross = seen[0].cross(seen[1]);
+        self.queue_if_seen_to_be_bad(Seen { slot, vertices, seen, cross }, None);
     }
 
     /// Queues the bad ones of the triangles that were just made.
@@ -31,20 +34,23 @@ impl Refinement<'_> {
         let newest = self.mesh.points.len() as u32 - 1;
         let tile = self.tiles.later(self.cavity.point);
         for i in 0..self.cavity.size() {
-            let (slot, side) = (self.cavity.star[i], self.cavity.side(i));
-            let [a, b] = side.ends;
-            let seen =
-                Seen { vertices: [newest, a, b], seen: side.seen, cross: self.cavity.cross(i) };
-            self.queue_if_seen_to_be_bad(slot, seen, tile);
+            let BoundaryEdge { ends: [a, b], seen, .. } = self.cavity.side(i);
+            let made = Seen {
+                slot: self.cavity.star[i],
+                vertices: [newest, a, b],
+                seen,
+                cross: self.cavity.cross(i),
+            };
+            self.queue_if_seen_to_be_bad(made, tile);
         }
     }
 
     /// Queues a triangle if it is bad; or lets it wait, in its tile or for a vertex that is still to be
     /// introduced.
     #[inline(always)]
-    fn queue_if_seen_to_be_bad(&mut self, slot: u32, seen: Seen, tile: Option<usize>) {
-        let Some((bucket, reason)) = self.badness(slot, seen) else { return };
-        let vertices = seen.vertices;
+    fn queue_if_seen_to_be_bad(&mut self, seen: Seen, tile: Option<usize>) {
+        let Some((bucket, reason)) = self.badness(seen) else { return };
+        let Seen { slot, vertices, .. } = seen;
         let entry = Entry::new(slot, vertices[0], reason);
         if let Some(tile) = tile {
             self.tiles.wait(tile, (bucket, entry));
@@ -56,13 +62,16 @@ impl Refinement<'_> {
     /// The bucket of a bad triangle, and why it is bad: measured exactly only where a glance does not
     /// tell.
     #[inline(always)]
-    fn badness(&self, slot: u32, seen: Seen) -> Option<(usize, Reason)> {
-        let Seen { vertices, seen: [a, b], cross } = seen;
+    fn badness(&self, seen: Seen) -> Option<(usize, Reason)> {
+        let Seen { slot, vertices, seen: [a, b], cross } = seen;
         let look = quality::look(cross, [a, b], self.target);
-        if (look == Look::Fine && !self.is_sized) || self.mesh.is_outside_the_region(slot) {
+        if look == Look::Fine && !self.is_sized {
             return None;
         }
-        let region = || self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
+        let region = self.mesh.region(slot);
+        if region == OUTSIDE_THE_REGION {
+            return None;
+        }
         match look {
             Look::Small { edge, squared, is_clear }
                 if self.is_plain && !self.may_excuse(vertices, edge) =>
@@ -70,13 +79,11 @@ impl Refinement<'_> {
                 let reason = if is_clear { Reason::SmallAngle(edge) } else { Reason::Unknown };
                 return Some((queue::by_length(squared), reason));
             }
-            Look::Fine if self.is_plain && self.sizing.is_surely_too_large(cross, region()) => {
+            Look::Fine if self.is_plain && self.sizing.is_surely_too_large(cross, region) => {
                 let (edge, squared) = quality::shortest(a, b);
                 return Some((queue::by_length(squared), Reason::TooLarge(edge)));
             }
-            Look::Fine
-                if self.sizes.is_none() && !self.sizing.may_be_too_large(cross, region()) =>
-            {
+            Look::Fine if self.sizes.is_none() && !self.sizing.may_be_too_large(cross, region) => {
                 return None;
             }
             _ => {}
@@ -99,7 +106,8 @@ impl Refinement<'_> {
     /// Why a triangle is bad, if it is: an angle below κ̂, or below the soft target where that may
     /// be attacked, that is not excused; or its size.
     pub(super) fn trigger(&self, slot: u32) -> Option<Trigger> {
-        if self.mesh.is_outside_the_region(slot) {
+        let region = self.mesh.region(slot);
+        if region == OUTSIDE_THE_REGION {
             return None;
         }
         let corners = self.mesh.corners(slot);
@@ -110,7 +118,6 @@ impl Refinement<'_> {
                 || self.may_be_improved_for_its_size(slot)
         };
         self.small_angle(slot).filter(allowed).or_else(|| {
-            let region = self.mesh.regions.get(slot as usize).copied().unwrap_or(0);
             let too_large =
                 self.sizing.is_too_large(corners, region) || self.is_larger_than_its_size(slot);
             too_large.then(|| quality::by_size(corners))

@@ -218,7 +218,7 @@ impl Cavity {
         if !Delaunay.goes(mesh, corners, crosses(corners), point) {
             return Err(Rejected::OutsideItsDisc);
         }
-        self.regions = [region(mesh, root); 2];
+        self.regions = [mesh.region(root); 2];
         self.grow(mesh, root, [0, 1, 2], &Delaunay)?;
         self.expect_polygon(2)
     }
@@ -256,12 +256,12 @@ impl Cavity {
         let beside = |edge: Edge| [next(edge.index()), previous(edge.index())];
         self.grow(mesh, edge.triangle(), beside(edge), &rule)?;
         self.second_side = Some(self.size());
-        self.regions = [region(mesh, edge.triangle()); 2];
+        self.regions = [mesh.region(edge.triangle()); 2];
         let behind = mesh.behind(edge);
         if behind.is_outside() {
             return self.expect_polygon(1);
         }
-        self.regions[1] = region(mesh, behind.triangle());
+        self.regions[1] = mesh.region(behind.triangle());
         self.grow(mesh, behind.triangle(), beside(behind), &rule)?;
         self.expect_polygon(2)
     }
@@ -507,8 +507,4 @@ fn side(ends: &[Corner]) -> BoundaryEdge {
 #[inline(always)]
 fn crosses([a, b, c]: [Vertex; 3]) -> [f64; 3] {
     [b.seen.cross(c.seen), c.seen.cross(a.seen), a.seen.cross(b.seen)]
-}
-
-fn region(mesh: &Triangulation, triangle: u32) -> u32 {
-    mesh.regions.get(triangle as usize).copied().unwrap_or(0)
 }

@@ -73,7 +73,7 @@ impl Journal {
         self.changes.extend(slots.iter().map(|&slot| Change::Triangle {
             slot,
             was: mesh.triangles[slot as usize],
-            region: mesh.regions.get(slot as usize).copied().unwrap_or(0),
+            region: mesh.region(slot),
         }));
     }
 }

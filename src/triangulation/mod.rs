@@ -118,6 +118,13 @@ impl Triangulation {
         made
     }
 
+    /// The region of a triangle; 0 where there is none.
+    #[inline]
+    #[must_use]
+    pub fn region(&self, triangle: u32) -> u32 {
+        self.regions.get(triangle as usize).copied().unwrap_or(0)
+    }
+
     /// Whether a triangle is not meshed, but there all the same.
     #[inline]
     #[must_use]

@@ -135,7 +135,7 @@ impl Triangulation {
     /// Takes the point of a star out. Its index stays, without a triangle, and so do two slots,
     /// until [`Triangulation::renumber`].
     pub fn remove(&mut self, star: &mut Star) {
-        let region = self.regions.get(star.slots[0] as usize).copied().unwrap_or(0);
+        let region = self.region(star.slots[0]);
         for slot in star.slots.drain(star.parts.len()..) {
             self.set_slot(slot, Triangle::VACANT, 0);
             self.vacant.push(slot);

@@ -199,7 +199,7 @@ impl Refinement<'_> {
         let bad = thinner.bad.iter().map(|found| found.slot);
         survey.begin(&self.mesh, (demand.slot, demand.nearest), demand.places().chain(drawn));
         survey.keep_in_most_discs(&self.mesh, bad, (!last).then_some(PLACES));
-        let region = self.mesh.regions.get(demand.slot as usize).copied().unwrap_or(0);
+        let region = self.mesh.region(demand.slot);
         let most_made = if last { 0 } else { u32::MAX };
         survey.look_around(&self.mesh, &Thinning { refinement: self, thinner, region, most_made });
         thinner.survey = survey;
