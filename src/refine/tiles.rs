@@ -22,10 +22,12 @@ const ONE_TILE: usize = 20_000;
 const PARTS: usize = 4;
 /// So often a square may be divided: its parts still differ in their coordinates.
 const DEEPEST: u32 = 20;
-/// Squares are given up where the points of one replace more triangles than this on average,
-const LARGE_CAVITY: usize = 256;
+/// A square is divided on the way where its points replace more triangles than this on average,
+const LARGE_CAVITY: usize = 32;
+/// and all squares are given up where they replace more than this,
+const HUGE_CAVITY: usize = 256;
 /// but not before so many were replaced beyond that.
-const LARGE_CAVITIES: usize = 1 << 20;
+const LARGE_CAVITIES: usize = 1 << 18;
 
 /// A square of the plane, without its upper and right edges.
 #[derive(Debug, Clone, Copy)]
@@ -182,29 +184,33 @@ impl Refinement<'_> {
         ControlFlow::Continue(())
     }
 
-    /// The same in the current square. Where triangles are too large it fills up and up, and is divided
-    /// on the way.
+    /// The same in the current square. Where triangles are too large it fills up and up, and where many
+    /// points are on a line each new one replaces triangles all along it: then it is divided on the way.
+    /// Where a circle is full of points, squares may make that worse: each new point lies in the circle
+    /// of all triangles that wait in others.
     fn improve_tile(&mut self, watch: &mut Watch) -> Flow {
         let before = self.counters;
         while let Some((_, entry)) = self.queue.pop() {
             self.improve(entry, watch)?;
-            if self.is_sized && self.queue.len() > ONE_TILE && self.tiles.may_be_divided() {
-                self.divide_tile();
+            if self.queue.len() <= ONE_TILE || self.tiles.given_up {
+                continue;
             }
-            if !self.tiles.given_up && self.replaces_many_since(before) {
+            if self.replaces_since(before, HUGE_CAVITY) {
                 self.give_up_tiles();
+            } else if (self.is_sized || self.replaces_since(before, LARGE_CAVITY))
+                && self.tiles.may_be_divided()
+            {
+                self.divide_tile();
             }
         }
         ControlFlow::Continue(())
     }
 
-    /// Whether cavities are large. Where a circle is full of points, each new one lies in the circle
-    /// of all triangles that wait in other squares, and has to replace them.
-    #[inline]
-    fn replaces_many_since(&self, before: Counters) -> bool {
+    /// Whether a point replaced more than so many triangles on average, many in all.
+    fn replaces_since(&self, before: Counters, cavity: usize) -> bool {
         let replaced = self.counters.replaced - before.replaced;
         let committed = self.counters.committed - before.committed;
-        replaced > LARGE_CAVITY * committed + LARGE_CAVITIES
+        replaced > cavity * committed + LARGE_CAVITIES
     }
 
     /// Queues all that wait: from now on what is worst goes first, wherever it is.
