@@ -10,11 +10,12 @@ use crate::radix::sort_by_upper_half;
 
 impl Domain {
     /// The same domain with its points along a Hilbert curve, so that what is near in the plane is
-    /// near in memory; but the first three are on no line. Segments and faces keep their numbers;
+    /// near in memory; but of many points a few come first, spread along it, and the first three are on
+    /// no line. Segments and faces keep their numbers;
     /// [`Domain::input_points`] tells which point each one is.
     #[must_use]
     pub fn along_hilbert_curve(self) -> Self {
-        let mut order = along_hilbert_curve(&self.points);
+        let mut order = coarse_first(along_hilbert_curve(&self.points));
         begin_with_a_triangle(&mut order, &self.points);
         let sorted = self.in_order(&order);
         give_back(order);
@@ -49,6 +50,30 @@ impl Domain {
         self.features = OnceLock::new();
         self
     }
+}
+
+/// Up to so many points simply follow the curve.
+const FEW: usize = 10_000;
+/// Of more, every so many-th comes first, and of these again.
+const STRIDE: usize = 64;
+
+/// Puts points that are spread along the curve before all others. Two rows of points that see each
+/// other would else be triangulated anew with each further point: sides of a box, the arms of a
+/// cross. Between those that came first a point only sees a few.
+fn coarse_first(order: Vec<u32>) -> Vec<u32> {
+    let mut strides = vec![1];
+    while order.len() / strides[strides.len() - 1] > FEW {
+        strides.push(strides[strides.len() - 1] * STRIDE);
+    }
+    let Some(coarsest) = strides.pop().filter(|&stride| stride > 1) else { return order };
+    let mut sorted = Vec::with_capacity(order.len());
+    sorted.extend(order.iter().step_by(coarsest));
+    for stride in strides.into_iter().rev() {
+        let points = order.iter().step_by(stride).enumerate();
+        sorted.extend(points.filter(|(i, _)| i % STRIDE != 0).map(|(_, &point)| point));
+    }
+    give_back(order);
+    sorted
 }
 
 /// Makes the first point that is on no line with the first two the third.
@@ -106,4 +131,30 @@ fn sort_along_hilbert_curve(points: &[[f64; 2]], indices: &mut [u32]) {
         rest = others;
     }
     give_back(placed);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_few_points_none_comes_before_its_turn() {
+        let order: Vec<u32> = (0..FEW as u32).rev().collect();
+        assert_eq!(coarse_first(order.clone()), order);
+    }
+
+    #[test]
+    fn the_points_that_come_first_are_spread_along_the_curve_and_none_is_lost() {
+        let count = 700_000;
+        let sorted = coarse_first((0..count).collect());
+        let coarsest = (0..count).step_by(STRIDE * STRIDE);
+        assert!(sorted.iter().copied().take(coarsest.len()).eq(coarsest.clone()));
+        let is_coarsest = |i: &u32| i.is_multiple_of((STRIDE * STRIDE) as u32);
+        let next = (0..count).step_by(STRIDE).filter(|i| !is_coarsest(i));
+        let behind = sorted.iter().copied().skip(coarsest.len());
+        assert!(behind.take(next.clone().count()).eq(next));
+        let mut all = sorted;
+        all.sort_unstable();
+        assert!(all.into_iter().eq(0..count));
+    }
 }
