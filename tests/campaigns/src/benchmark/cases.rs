@@ -49,6 +49,8 @@ pub enum Close {
     Circle,
     /// All on one line.
     Line,
+    /// Half of them on a line, half on another that crosses it: they see each other.
+    Cross,
     /// All but a few in a square of a millionth of the width.
     Cluster,
 }
@@ -72,6 +74,10 @@ impl Close {
                 .map(|angle| [libm::cos(angle), libm::sin(angle)])
                 .collect(),
             Self::Line => (0..count).map(|i| [i as f64 / count as f64, 0.5]).collect(),
+            Self::Cross => (0..count)
+                .map(|i| (i as f64 / count as f64, i.is_multiple_of(2)))
+                .map(|(along, is_level)| if is_level { [along, 0.5] } else { [0.5, along] })
+                .collect(),
             Self::Cluster => (0..count)
                 .map(|_| [0.5 + 1e-6 * random.unit(), 0.5 + 1e-6 * random.unit()])
                 .collect(),
@@ -106,6 +112,7 @@ impl Case {
             close("turned-grid-100k", Close::TurnedGrid),
             close("circle-100k", Close::Circle),
             close("line-100k", Close::Line),
+            close("cross-100k", Close::Cross),
             close("cluster-100k", Close::Cluster),
         ]
     }
@@ -220,7 +227,8 @@ mod tests {
 
     #[test]
     fn points_for_close_calls_are_distinct_and_lie_in_their_box() {
-        for close in [Close::Grid, Close::TurnedGrid, Close::Circle, Close::Line, Close::Cluster] {
+        use Close::{Circle, Cluster, Cross, Grid, Line, TurnedGrid};
+        for close in [Grid, TurnedGrid, Circle, Line, Cross, Cluster] {
             let mut points = close.points(1000, &mut Random::new(4));
             assert!((900..=1000).contains(&points.len()), "{close:?}: {}", points.len());
             assert!(points.iter().flatten().all(|x| x.abs() < 2.0), "{close:?}");
