@@ -57,6 +57,12 @@ const FEW: usize = 10_000;
 /// Of more, every so many-th comes first, and of these again.
 const STRIDE: usize = 64;
 
+/// How many of so many points come first, spread along the curve; none where all just follow it.
+#[must_use]
+pub fn coarse_points(count: usize) -> usize {
+    if count > FEW { count.div_ceil(STRIDE) } else { 0 }
+}
+
 /// Puts points that are spread along the curve before all others. Two rows of points that see each
 /// other would else be triangulated anew with each further point: sides of a box, the arms of a
 /// cross. Between those that came first a point only sees a few.
@@ -141,6 +147,7 @@ mod tests {
     fn of_few_points_none_comes_before_its_turn() {
         let order: Vec<u32> = (0..FEW as u32).rev().collect();
         assert_eq!(coarse_first(order.clone()), order);
+        assert_eq!(coarse_points(order.len()), 0);
     }
 
     #[test]
@@ -153,6 +160,7 @@ mod tests {
         let next = (0..count).step_by(STRIDE).filter(|i| !is_coarsest(i));
         let behind = sorted.iter().copied().skip(coarsest.len());
         assert!(behind.take(next.clone().count()).eq(next));
+        assert_eq!(coarse_points(sorted.len()), (0..count).step_by(STRIDE).len());
         let mut all = sorted;
         all.sort_unstable();
         assert!(all.into_iter().eq(0..count));

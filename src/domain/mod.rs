@@ -24,7 +24,7 @@ mod tests;
 
 use std::sync::OnceLock;
 
-pub(crate) use along_curve::extent;
+pub(crate) use along_curve::{coarse_points, extent};
 pub use angles::Angle;
 pub use closest::{ClosestPair, Feature};
 pub use conflicts::{Conflict, ConflictKind, Conflicts};

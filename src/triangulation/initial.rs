@@ -5,7 +5,7 @@ use super::insertion::{GHOST, delaunay};
 use super::{Edge, Triangle, Triangulation};
 use crate::Region;
 use crate::corners::each;
-use crate::domain::{Domain, extent};
+use crate::domain::{Domain, coarse_points, extent};
 use crate::memory::give_back;
 
 /// The constrained Delaunay triangulation of a whole domain's convex hull (or of a box around it),
@@ -55,14 +55,15 @@ pub fn triangulate(domain: Domain) -> Result<(Domain, Initial), Error> {
     // Vertex i + 1 is point i, until the ghosts' vertex goes.
     let segments = domain.segments.iter().map(|ends| ends.map(|point| point + 1));
     constrain(&mut mesh, segments).map_err(|_| Error::Range)?;
-    Ok((domain, without_ghosts(mesh)))
+    let coarse = coarse_points(domain.points.len()) as u32;
+    Ok((domain, without_ghosts(mesh, coarse)))
 }
 
 /// The triangles that are none, taken out; the others in the order of their first vertices, for
-/// locality.
-fn without_ghosts(mesh: Triangulation) -> Initial {
+/// locality: those that come behind the `coarse` points, which are spread everywhere.
+fn without_ghosts(mesh: Triangulation, coarse: u32) -> Initial {
     let Triangulation { mut points, triangles: with_ghosts, .. } = mesh;
-    let (places, count) = places_without_ghosts(&with_ghosts, points.len());
+    let (places, count) = places_without_ghosts(&with_ghosts, points.len(), coarse);
     let mut open = Vec::new();
     // (Moved in their own memory, each would wait for the one whose place it takes.)
     let mut triangles = vec![Triangle::VACANT; count as usize];
@@ -88,10 +89,14 @@ fn without_ghosts(mesh: Triangulation) -> Initial {
 
 /// The new slot of each triangle, by its first vertex, and how many are left: ghosts, which are not,
 /// come behind these. (A counting sort.)
-fn places_without_ghosts(triangles: &[Triangle], vertices: usize) -> (Vec<u32>, u32) {
+fn places_without_ghosts(triangles: &[Triangle], vertices: usize, coarse: u32) -> (Vec<u32>, u32) {
     let first = |triangle: &Triangle| match triangle.vertices.into_iter().min() {
         Some(GHOST) | None => vertices,
-        Some(vertex) => vertex as usize,
+        Some(vertex) => {
+            // (Vertex i + 1 is point i.)
+            let others = triangle.vertices.into_iter().filter(|&v| v > coarse);
+            others.min().unwrap_or(vertex) as usize
+        }
     };
     let mut starts = vec![0_u32; vertices + 2];
     triangles.iter().for_each(|triangle| starts[first(triangle) + 1] += 1);
