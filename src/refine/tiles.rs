@@ -12,6 +12,7 @@ use std::ops::{ControlFlow, Range};
 use super::counters::Counters;
 use super::queue::Entry;
 use super::{Flow, Refinement, Watch};
+use crate::domain::extent;
 
 /// This many triangles in the order of their slots are a tile.
 const TILE: usize = 10_000;
@@ -225,13 +226,7 @@ impl Refinement<'_> {
     /// A square around all points. (Those on its upper and right edges lie in no tile: what is bad
     /// around them is never said to wait for a later one.)
     fn around_all(&self) -> Square {
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for point in &self.mesh.points {
-            for axis in 0..2 {
-                low[axis] = low[axis].min(point[axis]);
-                high[axis] = high[axis].max(point[axis]);
-            }
-        }
+        let (low, high) = extent(self.mesh.points.iter().copied());
         Square { low, high, depth: 0 }
     }
 
