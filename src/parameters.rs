@@ -36,6 +36,9 @@ pub struct Parameters {
     /// Whether the mesh is judged before it is handed out. Judging takes about as long as meshing;
     /// [`certify`](crate::certify::certify) can do it later.
     pub judged: bool,
+    /// Whether the angles are measured for [`Outcome::statistics`](crate::Outcome::statistics) while
+    /// what they need is at hand: without, they are measured when they are asked for, which takes longer.
+    pub measured: bool,
     /// How often, at the end, a few Steiner points are taken out for fewer ones.
     pub thinning: Thinning,
 }
@@ -70,6 +73,7 @@ impl Default for Parameters {
             region: Region::default(),
             incremental: false,
             judged: true,
+            measured: true,
             thinning: Thinning::default(),
         }
     }

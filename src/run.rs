@@ -27,8 +27,6 @@ use crate::{Mesh, Parameters, Pslg, Region, Thinning};
 pub struct Outcome {
     /// The mesh.
     pub mesh: Mesh,
-    /// Its counts and angles.
-    pub statistics: Statistics,
     /// What the judge, who shares no code with the refinement, found; nothing unless
     /// [`Parameters::judged`].
     pub certificate: Certificate,
@@ -54,6 +52,19 @@ pub struct Outcome {
     pub introduced: Vec<Introduction>,
     /// With [`Parameters::thinning`]: what it did; `None` too where the run ended early.
     pub thinned: Option<Thinned>,
+    /// With [`Parameters::measured`], but for a domain that is scaled.
+    measured: Option<Measured>,
+}
+
+impl Outcome {
+    /// The mesh's counts and angles: counted now, and measured now unless [`Parameters::measured`].
+    #[must_use]
+    pub fn statistics(&self) -> Statistics {
+        match self.measured {
+            Some(measured) => Statistics::with(&self.mesh, measured),
+            None => Statistics::of(&self.mesh),
+        }
+    }
 }
 
 /// An angle that misses the soft target.
@@ -245,7 +256,8 @@ fn unjudged(
     if domain.region == Region::Global {
         refinement.mesh = without_the_outside(mem::take(&mut refinement.mesh));
     }
-    let measured = Measured::of_refined(&refinement.mesh, domain.scale_exponent);
+    let wanted = parameters.measured.then_some(&refinement.mesh);
+    let measured = wanted.and_then(|mesh| Measured::of_refined(mesh, domain.scale_exponent));
     let missed = refinement.missed();
     let missed = missed.map(|(triangle, angle)| Missed { triangle, radians: angle.radians() });
     let missed = missed.collect();
@@ -257,12 +269,9 @@ fn unjudged(
         missed,
         refused_at,
         counters,
+        measured,
         thinned,
         introduced,
-        statistics: match measured {
-            Some(measured) => Statistics::with(&mesh, measured),
-            None => Statistics::of(&mesh),
-        },
         certificate: not_judged(&mesh, &Promise::from(parameters)),
         mesh,
         smallest_input_angle,

@@ -80,7 +80,11 @@ pub struct Arguments {
 /// Meshes.
 pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
     let formats = arguments.formats(voice)?;
-    let parameters = Parameters { judged: !arguments.unjudged, ..arguments.refine.parameters()? };
+    let parameters = Parameters {
+        judged: !arguments.unjudged,
+        measured: arguments.json || !voice.quiet,
+        ..arguments.refine.parameters()?
+    };
     let (mut pslg, input) =
         input::outline(&arguments.input, arguments.from, arguments.read, voice)?;
     check_places(&arguments.places(), &input.files)?;
@@ -133,7 +137,7 @@ pub fn run(arguments: &Arguments, voice: &Voice) -> Result<Exit, Failure> {
             pslg,
             mended: &mended,
             outcome: &outcome,
-            statistics: summary.statistics,
+            statistics: summary.statistics(),
             parameters: &parameters,
             written: &written,
             warnings: voice.warnings(),

@@ -1,5 +1,6 @@
 //! What `mesh` says about a run.
 
+use std::cell::OnceCell;
 use std::time::Duration;
 
 use meshwright::certify::ExcusedAngle;
@@ -22,14 +23,18 @@ pub struct Summary<'a> {
     pslg: &'a Pslg,
     outcome: &'a Outcome,
     soft_angle: Option<MinAngle>,
-    /// The mesh's counts and angles.
-    pub statistics: &'a Statistics,
+    statistics: OnceCell<Statistics>,
 }
 
 impl<'a> Summary<'a> {
-    /// Counts what will be said.
+    /// What there is to say of a run that meshed an outline.
     pub fn new(pslg: &'a Pslg, outcome: &'a Outcome, soft_angle: Option<MinAngle>) -> Self {
-        Self { pslg, outcome, soft_angle, statistics: &outcome.statistics }
+        Self { pslg, outcome, soft_angle, statistics: OnceCell::new() }
+    }
+
+    /// The mesh's counts and angles, measured once, and only if anything is said of them.
+    pub fn statistics(&self) -> &Statistics {
+        self.statistics.get_or_init(|| self.outcome.statistics())
     }
 
     /// From the outline to the certificate.
@@ -37,7 +42,7 @@ impl<'a> Summary<'a> {
         if voice.quiet {
             return;
         }
-        let (pslg, statistics) = (self.pslg, self.statistics);
+        let (pslg, statistics) = (self.pslg, self.statistics());
         say(voice, "outline", &format!("{name}: {}", outline_counts(pslg)));
         if let Some(text) = self.smallest_input_angle() {
             say(voice, "", &text);
@@ -122,10 +127,10 @@ impl<'a> Summary<'a> {
         let excused = &self.outcome.certificate.excused;
         let named = excused.iter().map(|excused| (excused.triangle, excused.edge));
         let smallest = match excused.len() {
-            0 => self.statistics.smallest_angle,
+            0 => self.statistics().smallest_angle,
             _ => smallest_angle_but(mesh, named),
         };
-        let range = format!("{} to {}", angle(smallest), angle(self.statistics.largest_angle));
+        let range = format!("{} to {}", angle(smallest), angle(self.statistics().largest_angle));
         let measured = || excused.iter().map(|excused| excused.angle);
         let least = measured().fold(f64::INFINITY, f64::min);
         let most = measured().fold(0.0, f64::max);

@@ -1,7 +1,8 @@
 //! The programs that are compared, and how each is asked for one mesh.
 //!
 //! All mesh for the smallest angle 26.45°, and write no mesh: what is timed is reading the outline,
-//! meshing it, and (meshwright, but for [`Program::Unjudged`]) judging the mesh.
+//! meshing it, and (meshwright, but for [`Program::Unjudged`]) judging the mesh. No angle is measured
+//! for a report: Triangle is not asked to, and meshwright is quiet.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -44,6 +45,12 @@ impl Program {
         }
     }
 
+    /// Whether it is meshwright.
+    #[must_use]
+    pub fn is_ours(self) -> bool {
+        matches!(self, Self::Judged | Self::Unjudged | Self::LookAhead)
+    }
+
     /// Whether it meshes this case: spade's refinement ends on few coasts, and Gmsh is asked for
     /// squares.
     #[must_use]
@@ -70,44 +77,65 @@ pub struct Programs {
     pub gmsh: Option<PathBuf>,
 }
 
-/// What a program made of a case.
-#[derive(Debug, Clone)]
-pub struct Made {
-    /// What it took.
-    pub run: Run,
-    /// How many points the mesh has.
+/// How large a mesh is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Counts {
+    /// The number of points.
     pub points: usize,
-    /// How many triangles.
+    /// The number of triangles.
     pub triangles: usize,
 }
 
 impl Programs {
-    /// Runs a program on a case that lies in `folder` as `NAME.poly` (for Gmsh as `NAME.geo`); `None`
-    /// where the program is missing or does not take it.
+    /// Runs a program on a case that lies in `folder` as `NAME.poly` (for Gmsh as `NAME.geo`), and
+    /// takes its time; `None` where the program is missing or does not take it.
+    ///
+    /// # Errors
+    /// The program failed.
+    pub fn run(&self, program: Program, case: &Case, folder: &Path) -> Result<Option<Run>, String> {
+        let command = self.command(program, case, folder, "--quiet");
+        command.map(|mut command| run(&mut command, folder)).transpose()
+    }
+
+    /// How large the mesh is that a program made in a run; a run of meshwright, which tells nothing,
+    /// is made again.
     ///
     /// # Errors
     /// The program failed, or printed no counts.
-    pub fn run(
+    pub fn counts(
         &self,
         program: Program,
         case: &Case,
         folder: &Path,
-    ) -> Result<Option<Made>, String> {
-        let Some(mut command) = self.command(program, case, folder) else { return Ok(None) };
-        let run = run(&mut command, folder)?;
-        let counts = match program {
-            Program::Triangle => number_after(&run.output, "Mesh vertices:")
-                .zip(number_after(&run.output, "Mesh triangles:")),
-            Program::Gmsh => gmsh_counts(&run.output),
-            _ => number_after(&run.output, "\"mesh\":{\"points\":")
-                .zip(number_after(&run.output, "\"triangles\":")),
+        made: &Run,
+    ) -> Result<Counts, String> {
+        let again = || match self.command(program, case, folder, "--json") {
+            Some(mut command) => run(&mut command, folder).map(|made| made.output),
+            None => Ok(String::new()),
         };
-        let (points, triangles) =
-            counts.ok_or_else(|| format!("{command:?} printed no counts:\n{}", run.output))?;
-        Ok(Some(Made { run, points, triangles }))
+        let told = if program.is_ours() { again()? } else { made.output.clone() };
+        let counts = match program {
+            Program::Triangle => {
+                number_after(&told, "Mesh vertices:").zip(number_after(&told, "Mesh triangles:"))
+            }
+            Program::Gmsh => gmsh_counts(&told),
+            _ => number_after(&told, "\"mesh\":{\"points\":")
+                .zip(number_after(&told, "\"triangles\":")),
+        };
+        let (points, triangles) = counts.ok_or_else(|| {
+            format!("{} printed no counts of {}:\n{told}", program.name(), case.name)
+        })?;
+        Ok(Counts { points, triangles })
     }
 
-    fn command(&self, program: Program, case: &Case, folder: &Path) -> Option<Command> {
+    /// How a program is run; with an option on how meshwright is to report.
+    fn command(
+        &self,
+        program: Program,
+        case: &Case,
+        folder: &Path,
+        report: &str,
+    ) -> Option<Command> {
         if !program.takes(case) {
             return None;
         }
@@ -115,7 +143,7 @@ impl Programs {
         match program {
             Program::Judged | Program::Unjudged | Program::LookAhead => {
                 let mut command = Command::new(&self.meshwright);
-                command.args(["mesh", "--json"]).arg(outline);
+                command.args(["mesh", report]).arg(outline);
                 command.args(["--max-points", "200000000"]);
                 if let Some(area) = case.max_area() {
                     command.arg("--max-area").arg(area.to_string());

@@ -8,6 +8,7 @@ use std::process::{Command, ExitCode};
 use clap::Parser;
 use meshwright_campaigns::benchmark::cases::Case;
 use meshwright_campaigns::benchmark::programs::{Program, Programs, geo};
+use meshwright_campaigns::benchmark::table::Made;
 use meshwright_campaigns::benchmark::{process, table};
 use meshwright_campaigns::poly;
 
@@ -18,8 +19,8 @@ const TRIANGLE: &str = "triangle==20200424";
 /// round, and prints a table: processor time, time, memory, points, and the median over the rounds
 /// of the ratio of the processor times to Triangle's.
 ///
-/// Builds meshwright and, from its source, Triangle (a C compiler and Python's pip are wanted). Each
-/// mesh of meshwright is judged once.
+/// Builds meshwright and spade's refinement and, from its source, Triangle (a C compiler and Python's
+/// pip are wanted), each for the machine that it runs on. Each mesh of meshwright is judged once.
 ///
 /// Exit code 0: all programs ran. 1: one did not, or a mesh was not certified.
 #[derive(Debug, Parser)]
@@ -80,15 +81,31 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             eprintln!("{}: left out, the collection is not there (MESHWRIGHT_DATA)", case.name);
             continue;
         }
-        let mut runs: Vec<_> = Program::ALL.map(|program| (program, Vec::new())).into();
-        for _ in 0..arguments.rounds {
-            for (program, made) in &mut runs {
-                made.extend(programs.run(*program, &case, &arguments.folder)?);
-            }
-        }
-        print!("{}", table::rows(case.name, &runs));
+        print!("{}", table::rows(case.name, &compare(&programs, &case, arguments)?));
     }
     Ok(())
+}
+
+/// What each program makes of a case, round by round.
+fn compare(
+    programs: &Programs,
+    case: &Case,
+    arguments: &Arguments,
+) -> Result<Vec<Made>, Box<dyn Error>> {
+    let mut runs = Program::ALL.map(|program| (program, Vec::new()));
+    for _ in 0..arguments.rounds {
+        for (program, runs) in &mut runs {
+            runs.extend(programs.run(*program, case, &arguments.folder)?);
+        }
+    }
+    let mut made = Vec::new();
+    for (program, runs) in runs {
+        if let Some(last) = runs.last() {
+            let counts = programs.counts(program, case, &arguments.folder, last)?;
+            made.push(Made { program, counts, runs });
+        }
+    }
+    Ok(made)
 }
 
 fn file_of(case: &Case, arguments: &Arguments) -> PathBuf {
@@ -126,23 +143,27 @@ fn make_outline(case: &Case, arguments: &Arguments) -> Result<(), Box<dyn Error>
 
 /// Builds what is built from source, and finds the rest.
 fn programs(arguments: &Arguments) -> Result<Programs, Box<dyn Error>> {
-    let build = |what: &[&str]| {
+    let cargo = || {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo.args(["build", "--release", "--quiet"]).args(what);
-        process::run(&mut cargo, &arguments.folder)
+        cargo.args(["build", "--quiet", "--profile", "fastest"]);
+        // As Triangle is built, for this machine.
+        cargo.env("RUSTFLAGS", "-C target-cpu=native");
+        cargo
     };
-    build(&["--package", "meshwright"])?;
-    build(&["--package", "meshwright-campaigns", "--example", "spade_refine"])?;
+    process::run(cargo().args(["--package", "meshwright"]), &arguments.folder)?;
+    let spade = ["--package", "meshwright-campaigns", "--example", "spade_refine"];
+    process::run(cargo().args(spade), &arguments.folder)?;
     let built = std::env::current_exe()?;
-    let release = built.parent().ok_or("this program is in no folder")?;
+    let target = built.parent().and_then(Path::parent).ok_or("this program is in no folder")?;
+    let fastest = target.join("fastest");
     let triangle = match &arguments.triangle {
         Some(given) => given.clone(),
         None => build_triangle(&arguments.folder)?,
     };
     Ok(Programs {
-        meshwright: release.join("meshwright"),
+        meshwright: fastest.join("meshwright"),
         triangle: Some(triangle),
-        spade: Some(release.join("examples/spade_refine")),
+        spade: Some(fastest.join("examples/spade_refine")),
         gmsh: Some(arguments.gmsh.clone()).filter(|gmsh| gmsh.exists()),
     })
 }
