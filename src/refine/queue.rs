@@ -191,7 +191,16 @@ impl Queue {
         link.next = self.free;
         self.free = place;
         self.length -= 1;
+        if self.length == 0 {
+            self.close_ranks();
+        }
         Some((bucket, entry))
+    }
+
+    /// Begins with the first place again: what many entries left free lies far apart.
+    fn close_ranks(&mut self) {
+        self.links.clear();
+        self.free = NONE;
     }
 
     /// How many entries there are, stale ones included.

@@ -13,6 +13,7 @@ use super::counters::Counters;
 use super::queue::Entry;
 use super::{Flow, Refinement, Watch};
 use crate::domain::extent;
+use crate::triangulation::Triangulation;
 
 /// This many triangles in the order of their slots are a tile.
 const TILE: usize = 10_000;
@@ -123,6 +124,12 @@ impl Tiles {
         self.current.is_some_and(|square| square.depth < DEEPEST)
     }
 
+    /// Divides the current tile and shares out what waits there, if it is still in the mesh.
+    fn share_out(&mut self, mesh: &Triangulation, waiting: impl Iterator<Item = Waiting>) {
+        let there = waiting.filter(|&(_, entry)| mesh.has(entry.slot(), entry.newest));
+        self.divide(there.map(|waiting| (mesh.points[waiting.1.newest as usize], waiting)));
+    }
+
     /// Divides the current tile and shares out what waits there, each with a point where it is.
     fn divide(&mut self, waiting: impl Iterator<Item = ([f64; 2], Waiting)>) {
         let Some(square) = self.current else { return };
@@ -175,10 +182,11 @@ impl Refinement<'_> {
         self.tiles.current = Some(self.around_all());
         self.divide_tile();
         while let Some(waiting) = self.tiles.next() {
-            waiting.into_iter().for_each(|(bucket, entry)| self.queue.push(bucket, entry));
-            if self.queue.len() > ONE_TILE && self.tiles.may_be_divided() {
-                self.divide_tile();
+            if waiting.len() > ONE_TILE && self.tiles.may_be_divided() {
+                self.tiles.share_out(&self.mesh, waiting.into_iter());
+                continue;
             }
+            waiting.into_iter().for_each(|(bucket, entry)| self.queue.push(bucket, entry));
             self.improve_tile(watch)?;
         }
         self.tiles.current = None;
@@ -233,9 +241,7 @@ impl Refinement<'_> {
     /// Shares out what is in the queue to the parts of the current tile.
     fn divide_tile(&mut self) {
         let Self { tiles, queue, mesh, .. } = self;
-        let queued = std::iter::from_fn(|| queue.pop());
-        let there = queued.filter(|&(_, entry)| mesh.has(entry.slot(), entry.newest));
-        tiles.divide(there.map(|waiting| (mesh.points[waiting.1.newest as usize], waiting)));
+        tiles.share_out(mesh, std::iter::from_fn(|| queue.pop()));
     }
 }
 
