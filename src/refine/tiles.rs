@@ -20,6 +20,10 @@ const TILE: usize = 10_000;
 /// Up to this many bad triangles one tile holds all: the order is the global one. Where more wait in
 /// the queue, they are shared out.
 const ONE_TILE: usize = 20_000;
+/// Where more than this wait in a square it may be divided again: what it needs then fits into a
+/// cache of half a megabyte. (Of 2 500, 5 000, 10 000 and 20 000, this takes a fifth of the time off a
+/// rough coast, and adds 0.2 % of its points.)
+const FULL: usize = 2_500;
 /// A square is divided into so many parts each way.
 const PARTS: usize = 4;
 /// So often a square may be divided: its parts still differ in their coordinates.
@@ -182,7 +186,7 @@ impl Refinement<'_> {
         self.tiles.current = Some(self.around_all());
         self.divide_tile();
         while let Some(waiting) = self.tiles.next() {
-            if waiting.len() > ONE_TILE && self.tiles.may_be_divided() {
+            if waiting.len() > FULL && self.tiles.may_be_divided() {
                 self.tiles.share_out(&self.mesh, waiting.into_iter());
                 continue;
             }
@@ -201,7 +205,7 @@ impl Refinement<'_> {
         let before = self.counters;
         while let Some((_, entry)) = self.queue.pop() {
             self.improve(entry, watch)?;
-            if self.queue.len() <= ONE_TILE || self.tiles.given_up {
+            if self.queue.len() <= FULL || self.tiles.given_up {
                 continue;
             }
             if self.replaces_since(before, HUGE_CAVITY) {
