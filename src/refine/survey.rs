@@ -117,13 +117,15 @@ impl Survey {
         self.root = root;
         self.nearest = nearest;
         self.origin = mesh.corners(root)[0];
-        self.x.clear();
-        self.y.clear();
-        for place in places.take(MOST_PLACES) {
-            let [x, y] = self.relative(place);
-            self.x.push(x);
-            self.y.push(y);
-        }
+        let mut count = 0;
+        self.x.resize(MOST_PLACES, 0.0);
+        self.y.resize(MOST_PLACES, 0.0);
+        places.take(MOST_PLACES).for_each(|place| {
+            [self.x[count], self.y[count]] = self.relative(place);
+            count += 1;
+        });
+        self.x.truncate(count);
+        self.y.truncate(count);
         let corners = self.corners(mesh, root);
         self.allowed = self.within(first(self.x.len()), Disc::around(corners));
         for corner in corners {
@@ -272,14 +274,18 @@ impl Survey {
             return;
         }
         let target = look.target();
-        let bad = self.those(places, side.ends, |[a, b]| quality::may_be_small(a, b, target));
-        let unseen = self.those(places, side.ends, |[a, b]| a.cross(b) <= 0.0);
+        let [bad, unseen] = self.those(places, side.ends, |[a, b]| {
+            [quality::may_be_small(a, b, target), a.cross(b) <= 0.0]
+        });
         self.allowed &= !unseen;
         if side.behind.is_constrained() {
-            self.allowed &= !self.those(places, side.ends, |[a, b]| a.dot(b) < 0.0);
+            let [encroaching] = self.those(places, side.ends, |[a, b]| [a.dot(b) < 0.0]);
+            self.allowed &= !encroaching;
         }
         let too_large = look.may_be_too_large();
-        let bad = bad | too_large.map_or(0, |is_so| self.those(places, side.ends, is_so));
+        let [too_large] =
+            too_large.map_or([0], |is_so| self.those(places, side.ends, |ends| [is_so(ends)]));
+        let bad = bad | too_large;
         for i in members(bad & places & self.allowed) {
             self.prospects[i].made += 1;
             if self.prospects[i].made > look.most_made() {
@@ -288,9 +294,14 @@ impl Survey {
         }
     }
 
-    /// Those of some places for which something holds of an edge's ends, as seen from there.
+    /// Those of some places for which each of some things holds of an edge's ends, as seen from there.
     #[inline(always)]
-    fn those(&self, places: Set, ends: [[f64; 2]; 2], hold: impl Fn([Relative; 2]) -> bool) -> Set {
+    fn those<const N: usize>(
+        &self,
+        places: Set,
+        ends: [[f64; 2]; 2],
+        hold: impl Fn([Relative; 2]) -> [bool; N],
+    ) -> [Set; N] {
         self.of(places, |place| hold(ends.map(|end| Relative::of(end, place))))
     }
 
@@ -301,18 +312,27 @@ impl Survey {
 
     /// Those of some places that are in a disc.
     fn within(&self, places: Set, disc: Disc) -> Set {
-        self.of(places, |place| disc.holds(place))
+        let [within] = self.of(places, |place| [disc.holds(place)]);
+        within
     }
 
-    /// Those of some places for which something holds: few are asked one by one, many all at once.
+    /// Those of some places for which each of some things holds: few are asked one by one, many all at
+    /// once.
     #[inline(always)]
-    fn of(&self, places: Set, holds: impl Fn([f64; 2]) -> bool) -> Set {
+    fn of<const N: usize>(&self, places: Set, hold: impl Fn([f64; 2]) -> [bool; N]) -> [Set; N] {
+        let mut sets = [0; N];
         if places.count_ones() <= FEW {
-            let hold = members(places).filter(|&i| holds([self.x[i], self.y[i]]));
-            return hold.fold(0, |set, i| set | 1 << i);
+            for i in members(places) {
+                let hold = hold([self.x[i], self.y[i]]);
+                (0..N).for_each(|n| sets[n] |= Set::from(hold[n]) << i);
+            }
+            return sets;
         }
-        let all = self.x.iter().zip(&self.y).zip(&BITS);
-        places & all.fold(0, |set, ((&x, &y), bit)| set | if holds([x, y]) { *bit } else { 0 })
+        for ((&x, &y), bit) in self.x.iter().zip(&self.y).zip(&BITS) {
+            let hold = hold([x, y]);
+            (0..N).for_each(|n| sets[n] |= if hold[n] { *bit } else { 0 });
+        }
+        sets.map(|set| set & places)
     }
 }
 
