@@ -190,7 +190,7 @@ fn subsegments_by_segment(refinement: &Refinement) -> Vec<u64> {
     // (What n points split has n + 1 pieces. An array that grows leaves holes in the memory.)
     let most = refinement.segments.ends.len() + refinement.provenances.on_segments();
     let mut found = Vec::with_capacity(most);
-    mesh.each_constrained_edge(|edge| {
+    mesh.constrained_edges().for_each(|edge| {
         let behind = mesh.behind(edge);
         if !behind.is_outside() && edge.triangle() > behind.triangle() {
             return; // it was heard already

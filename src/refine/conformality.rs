@@ -16,9 +16,7 @@ use crate::triangulation::Edge;
 impl Refinement<'_> {
     /// Queues every subsegment that an apex of its encroaches.
     pub(super) fn find_encroached_subsegments(&mut self) {
-        let mut edges = Vec::new();
-        self.mesh.each_constrained_edge(|edge| edges.push(edge));
-        for edge in edges {
+        for edge in self.mesh.constrained_edges().collect::<Vec<_>>() {
             self.queue_if_encroached(edge);
         }
     }

@@ -90,16 +90,31 @@ struct Front {
     crosses: [f64; 2],
 }
 
+/// A triangle that may go, as seen from the new point.
+#[derive(Debug, Clone, Copy)]
+struct Candidate {
+    corners: [Vertex; 3],
+    /// Opposite each corner, the cross product of the other two.
+    crosses: [f64; 3],
+}
+
+impl Candidate {
+    #[inline(always)]
+    fn of(corners: [Vertex; 3]) -> Self {
+        let [a, b, c] = each(corners, |corner| corner.seen);
+        Self { corners, crosses: [b.cross(c), c.cross(a), a.cross(b)] }
+    }
+
+    #[inline(always)]
+    fn vertices(&self) -> [u32; 3] {
+        each(self.corners, |corner| corner.index)
+    }
+}
+
 /// Which triangles a cavity takes in.
 trait Rule {
-    /// Whether a triangle goes, by its corners and, opposite each, the cross product of the other two.
-    fn goes(
-        &self,
-        mesh: &Triangulation,
-        corners: [Vertex; 3],
-        crosses: [f64; 3],
-        point: [f64; 2],
-    ) -> bool;
+    /// Whether a triangle goes.
+    fn goes(&self, mesh: &Triangulation, candidate: Candidate, point: [f64; 2]) -> bool;
 }
 
 /// Those whose circumcircle holds the point.
@@ -107,16 +122,11 @@ struct Delaunay;
 
 impl Rule for Delaunay {
     #[inline(always)]
-    fn goes(
-        &self,
-        mesh: &Triangulation,
-        corners: [Vertex; 3],
-        crosses: [f64; 3],
-        point: [f64; 2],
-    ) -> bool {
-        match predicates::surely_in_circle(each(corners, |corner| corner.seen.squared), crosses) {
+    fn goes(&self, mesh: &Triangulation, candidate: Candidate, point: [f64; 2]) -> bool {
+        let squared = each(candidate.corners, |corner| corner.seen.squared);
+        match predicates::surely_in_circle(squared, candidate.crosses) {
             Some(is_inside) => is_inside,
-            None => mesh.is_in_circle(each(corners, |corner| corner.index), point),
+            None => mesh.is_in_circle(candidate.vertices(), point),
         }
     }
 }
@@ -126,16 +136,10 @@ struct WithGhosts;
 
 impl Rule for WithGhosts {
     #[inline(always)]
-    fn goes(
-        &self,
-        mesh: &Triangulation,
-        corners: [Vertex; 3],
-        crosses: [f64; 3],
-        point: [f64; 2],
-    ) -> bool {
-        let vertices = each(corners, |corner| corner.index);
+    fn goes(&self, mesh: &Triangulation, candidate: Candidate, point: [f64; 2]) -> bool {
+        let vertices = candidate.vertices();
         match ghost_corner(vertices) {
-            None => Delaunay.goes(mesh, corners, crosses, point),
+            None => Delaunay.goes(mesh, candidate, point),
             Some(i) => {
                 let ends = [vertices[next(i)], vertices[previous(i)]];
                 beyond_hull(ends.map(|v| mesh.points[v as usize]), point)
@@ -149,15 +153,9 @@ struct BesideSegment<F>(F);
 
 impl<F: Fn(u32) -> bool> Rule for BesideSegment<F> {
     #[inline(always)]
-    fn goes(
-        &self,
-        mesh: &Triangulation,
-        corners: [Vertex; 3],
-        crosses: [f64; 3],
-        point: [f64; 2],
-    ) -> bool {
-        Delaunay.goes(mesh, corners, crosses, point)
-            && corners.iter().filter(|corner| self.0(corner.index)).count() < 2
+    fn goes(&self, mesh: &Triangulation, candidate: Candidate, point: [f64; 2]) -> bool {
+        Delaunay.goes(mesh, candidate, point)
+            && candidate.corners.iter().filter(|corner| self.0(corner.index)).count() < 2
     }
 }
 
@@ -215,7 +213,7 @@ impl Cavity {
     ) -> Result<(), Rejected> {
         self.clear(point);
         let corners = each(mesh.triangles[root as usize].vertices, |v| self.vertex(mesh, v));
-        if !Delaunay.goes(mesh, corners, crosses(corners), point) {
+        if !Delaunay.goes(mesh, Candidate::of(corners), point) {
             return Err(Rejected::OutsideItsDisc);
         }
         self.regions = [mesh.region(root); 2];
@@ -289,7 +287,7 @@ impl Cavity {
     ) -> Vertex {
         let triangle = &mesh.triangles[root as usize];
         let corners = each(triangle.vertices, |v| self.vertex(mesh, v));
-        let crosses = crosses(corners);
+        let Candidate { crosses, .. } = Candidate::of(corners);
         let start = corners[next(edges[0])];
         if self.boundary.is_empty() {
             self.nearest_squared = start.seen.squared;
@@ -361,8 +359,9 @@ impl Cavity {
             return Front { end, behind, cross, goes: false, apex: end, crosses: [0.0; 2] };
         };
         let crosses = [start.seen.cross(apex.seen), apex.seen.cross(end.seen)];
-        let around = [crosses[0], crosses[1], -cross];
-        let goes = rule.goes(mesh, [end, start, apex], around, self.point);
+        let corners = [end, start, apex];
+        let candidate = Candidate { corners, crosses: [crosses[0], crosses[1], -cross] };
+        let goes = rule.goes(mesh, candidate, self.point);
         Front { end, behind, cross, goes, apex, crosses }
     }
 
@@ -501,10 +500,4 @@ fn side(ends: &[Corner]) -> BoundaryEdge {
         behind: ends[1].behind,
         seen: [ends[0].seen, ends[1].seen],
     }
-}
-
-/// Opposite each corner the cross product of the other two.
-#[inline(always)]
-fn crosses([a, b, c]: [Vertex; 3]) -> [f64; 3] {
-    [b.seen.cross(c.seen), c.seen.cross(a.seen), a.seen.cross(b.seen)]
 }

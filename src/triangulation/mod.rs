@@ -185,17 +185,23 @@ impl Triangulation {
         }
     }
 
-    /// Every subsegment, once for each triangle that has it, by slots.
+    /// Every subsegment, once for each triangle that has it, by slots. (Most triangles have none, and
+    /// are told by one question. What is heard by `for_each` comes faster than by a loop.)
     pub fn constrained_edges(&self) -> impl Iterator<Item = Edge> + '_ {
-        self.triangles.iter().enumerate().flat_map(move |(slot, triangle)| {
-            (0..3)
-                .filter(move |&i| {
-                    let behind = triangle.neighbors[i];
-                    // With nothing on either side it is an edge of the hull only.
-                    let is_open = || behind.is_outside() && self.is_outside_the_region(slot as u32);
-                    behind.is_constrained() && !is_open()
-                })
-                .map(move |i| Edge::new(slot as u32, i).constrained_if(true))
+        let has_any = |(_, triangle): &(u32, &Triangle)| {
+            let [a, b, c] = each(triangle.neighbors, Edge::is_constrained);
+            a | b | c
+        };
+        let triangles = (0..).zip(&self.triangles).filter(has_any);
+        triangles.flat_map(move |(slot, triangle)| {
+            let is_constrained = move |&i: &usize| {
+                let behind = triangle.neighbors[i];
+                // With nothing on either side it is an edge of the hull only.
+                let is_open = || behind.is_outside() && self.is_outside_the_region(slot);
+                behind.is_constrained() && !is_open()
+            };
+            let edges = (0..3).filter(is_constrained);
+            edges.map(move |i| Edge::new(slot, i).constrained_if(true))
         })
     }
 

@@ -1,7 +1,7 @@
 //! Finding a subsegment by its end points, without a map.
 
 use super::{Cavity, Edge, Triangulation};
-use crate::corners::{each, next, previous};
+use crate::corners::{next, previous};
 use crate::ranked_set::RankedSet;
 
 /// For each vertex on a subsegment, one triangle that has a constrained edge at it.
@@ -33,7 +33,7 @@ impl Anchors {
         // A fan that is no whole turn has one edge with nothing behind it that starts at its vertex: two
         // of those make a pinched vertex.
         let (mut on_subsegments, mut open, mut pinched) = (none(), none(), none());
-        triangulation.each_constrained_edge(|edge| {
+        triangulation.constrained_edges().for_each(|edge| {
             let ends = triangulation.ends(edge);
             ends.iter().for_each(|&v| on_subsegments[v as usize] = true);
             if triangulation.behind(edge).is_outside() {
@@ -48,7 +48,7 @@ impl Anchors {
         let vertices: RankedSet = on_subsegments.into_iter().collect();
         let slots = vec![u32::MAX; vertices.members()];
         let mut made = Self { vertices, slots, pinched, pinched_edges: Vec::new() };
-        triangulation.each_constrained_edge(|edge| {
+        triangulation.constrained_edges().for_each(|edge| {
             let ends = triangulation.ends(edge);
             if ends.iter().all(|&v| made.is_pinched(v)) {
                 made.pinched_edges.push((sorted(ends), edge.triangle()));
@@ -159,23 +159,6 @@ impl Triangulation {
     /// Gives the memory back by which subsegments are found, when none is sought any more.
     pub fn forget_anchors(&mut self) {
         self.anchors = Anchors::default();
-    }
-
-    /// Calls `hear` with each of the [constrained edges](Self::constrained_edges): faster, as most
-    /// triangles, which have none, are told by one question.
-    pub fn each_constrained_edge(&self, mut hear: impl FnMut(Edge)) {
-        for (slot, triangle) in (0..).zip(&self.triangles) {
-            let [a, b, c] = each(triangle.neighbors, Edge::is_constrained);
-            if a | b | c {
-                let own = [a, b, c].into_iter().zip(triangle.neighbors).enumerate();
-                for (i, (is_constrained, behind)) in own {
-                    let is_open = || behind.is_outside() && self.is_outside_the_region(slot);
-                    if is_constrained && !is_open() {
-                        hear(Edge::new(slot, i).constrained_if(true));
-                    }
-                }
-            }
-        }
     }
 
     /// The subsegment between `a` and `b`, as the edge of a triangle; `None` if it is none (any
