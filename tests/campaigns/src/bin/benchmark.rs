@@ -150,6 +150,7 @@ fn programs(arguments: &Arguments) -> Result<Programs, Box<dyn Error>> {
         cargo.env("RUSTFLAGS", "-C target-cpu=native");
         cargo
     };
+    eprintln!("building the programs for this machine: some minutes, but for those that are there");
     process::run(cargo().args(["--package", "meshwright"]), &arguments.folder)?;
     let spade = ["--package", "meshwright-campaigns", "--example", "spade_refine"];
     process::run(cargo().args(spade), &arguments.folder)?;
