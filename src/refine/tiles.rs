@@ -22,8 +22,8 @@ const TILE: usize = 10_000;
 const ONE_TILE: usize = 20_000;
 /// Where more than this wait in a square it may be divided again: what it needs then fits into a
 /// cache of half a megabyte. (Of 2 500, 5 000, 10 000 and 20 000, this takes a fifth of the time off a
-/// rough coast, and adds 0.2 % of its points. Soft targets, which are missed more often in small squares,
-/// have them where more than [`ONE_TILE`] wait.)
+/// rough coast, and adds 0.2 % of its points. With a soft target it is [`ONE_TILE`]: in small squares
+/// more angles miss it.)
 const FULL: usize = 2_500;
 /// A square is divided into so many parts each way.
 const PARTS: usize = 4;
