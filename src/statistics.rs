@@ -342,6 +342,23 @@ mod tests {
     }
 
     #[test]
+    fn a_run_is_told_of_alike_whenever_it_is_measured() {
+        let square = crate::Pslg {
+            points: vec![[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 2.0]],
+            segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]],
+            segment_tags: vec![1, 0, 2, 0],
+            ..crate::Pslg::default()
+        };
+        let told = |measured| {
+            let parameters = crate::Parameters { measured, ..crate::Parameters::default() };
+            let parameters = crate::Parameters { max_area: Some(0.01), ..parameters };
+            crate::mesh(&square, &parameters).expect("it is clean").statistics()
+        };
+        assert_eq!(told(true), told(false));
+        assert!(told(false).triangles > 500);
+    }
+
+    #[test]
     fn excused_angles_are_left_out_one_by_one() {
         let mesh = two();
         let thin = Statistics::of(&mesh).smallest_angle;
