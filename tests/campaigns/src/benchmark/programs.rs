@@ -93,15 +93,15 @@ impl Programs {
     /// # Errors
     /// The program failed.
     pub fn run(&self, program: Program, case: &Case, folder: &Path) -> Result<Option<Run>, String> {
-        let command = self.command(program, case, folder, "--quiet");
+        let command = self.command(program, case, folder, Wanted::Time);
         command.map(|mut command| run(&mut command, folder)).transpose()
     }
 
     /// How large the mesh is that a program made in a run; a run of meshwright, which tells nothing,
-    /// is made again.
+    /// is made again, and its mesh judged.
     ///
     /// # Errors
-    /// The program failed, or printed no counts.
+    /// The program failed, or printed no counts; the mesh is not certified.
     pub fn counts(
         &self,
         program: Program,
@@ -109,7 +109,7 @@ impl Programs {
         folder: &Path,
         made: &Run,
     ) -> Result<Counts, String> {
-        let again = || match self.command(program, case, folder, "--json") {
+        let again = || match self.command(program, case, folder, Wanted::Counts) {
             Some(mut command) => run(&mut command, folder).map(|made| made.output),
             None => Ok(String::new()),
         };
@@ -128,13 +128,13 @@ impl Programs {
         Ok(Counts { points, triangles })
     }
 
-    /// How a program is run; with an option on how meshwright is to report.
+    /// How a program is run.
     fn command(
         &self,
         program: Program,
         case: &Case,
         folder: &Path,
-        report: &str,
+        wanted: Wanted,
     ) -> Option<Command> {
         if !program.takes(case) {
             return None;
@@ -143,14 +143,16 @@ impl Programs {
         match program {
             Program::Judged | Program::Unjudged | Program::LookAhead => {
                 let mut command = Command::new(&self.meshwright);
-                command.args(["mesh", report]).arg(outline);
+                command.arg("mesh").arg(outline);
                 command.args(["--max-points", "200000000"]);
                 if let Some(area) = case.max_area() {
                     command.arg("--max-area").arg(area.to_string());
                 }
-                if program != Program::Judged {
-                    command.arg("--unjudged");
-                }
+                match wanted {
+                    Wanted::Counts => command.arg("--json"),
+                    Wanted::Time if program == Program::Judged => command.arg("--quiet"),
+                    Wanted::Time => command.args(["--quiet", "--unjudged"]),
+                };
                 if program == Program::LookAhead {
                     command.args(["--steiner", "look-ahead"]);
                 }
@@ -182,6 +184,15 @@ impl Programs {
             }
         }
     }
+}
+
+/// What a run of meshwright is for. (Of the other programs each run tells its counts.)
+#[derive(Clone, Copy)]
+enum Wanted {
+    /// How long it takes.
+    Time,
+    /// How large the mesh is, and whether it is certified.
+    Counts,
 }
 
 /// The `.geo` script of a square for Gmsh: equilateral triangles of 0.57 times the largest area.
