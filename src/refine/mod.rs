@@ -115,6 +115,9 @@ pub struct Precision {
     /// The step between subnormal numbers of the output, in the domain's scale: new coordinates
     /// are multiples of it, so that what is tested is what is written.
     pub quantum: f64,
+    /// 2^52 steps: from here on every double is a multiple. (Kept, for the step itself is most often
+    /// subnormal, and a product with such a number takes as long as fifty others.)
+    fine: f64,
 }
 
 impl Precision {
@@ -122,21 +125,19 @@ impl Precision {
     #[must_use]
     pub fn of(domain: &Domain) -> Self {
         let quantum = libm::scalbn(1.0, -1074 - domain.scale_exponent);
-        Self { ulp: domain.ulp, floor: domain.floor(), quantum }
+        let fine = libm::scalbn(quantum, 52);
+        Self { ulp: domain.ulp, floor: domain.floor(), quantum, fine }
     }
 
     /// A new point as the output can hold it.
     fn round(self, point: [f64; 2]) -> [f64; 2] {
-        // From 2^52 steps on every double is a multiple.
-        let fine = self.quantum * (1_u64 << 52) as f64;
+        let is_fine = |c: f64| c.abs() >= self.fine;
         let [x, y] = point;
-        if x.abs() >= fine && y.abs() >= fine {
+        if is_fine(x) && is_fine(y) {
             return point;
         }
-        let coarse = |c: f64| c.abs() < fine;
-        point.map(
-            |c| if coarse(c) { (c / self.quantum).round_ties_even() * self.quantum } else { c },
-        )
+        let round = |c: f64| (c / self.quantum).round_ties_even() * self.quantum;
+        point.map(|c| if is_fine(c) { c } else { round(c) })
     }
 }
 
