@@ -25,6 +25,17 @@ impl Angle {
         Self { cross: u.cross(v).abs(), dot: u.dot(v) }
     }
 
+    /// The angle p x q in plain doubles, which differ from [`Angle::at`] in their last bits and come
+    /// several times sooner; where the angle is so small that more would differ, that one.
+    #[inline]
+    #[must_use]
+    pub fn rounded(x: [f64; 2], p: [f64; 2], q: [f64; 2]) -> Self {
+        const SMALL: f64 = 1.0 / 1024.0;
+        let (u, v) = (Relative::of(p, x), Relative::of(q, x));
+        let rounded = Self { cross: u.cross(v).abs(), dot: u.dot(v) };
+        if rounded.cross > SMALL * rounded.dot.abs() { rounded } else { Self::at(x, p, q) }
+    }
+
     /// Whether the angle p x q is wider than one with this cosine, as plain doubles tell for sure: most
     /// angles are told from a small one so.
     #[inline]

@@ -95,10 +95,10 @@ impl Refinement<'_> {
     /// Why a triangle that was queued and is still there is bad.
     #[inline]
     pub(super) fn trigger_of(&self, entry: Entry) -> Option<Trigger> {
-        let opposite = |edge| Trigger::opposite(self.mesh.corners(entry.slot()), edge);
+        let known = |edge| Trigger::known(self.mesh.corners(entry.slot()), edge);
         match entry.reason() {
-            Reason::SmallAngle(edge) => Some(opposite(edge)),
-            Reason::TooLarge(edge) => Some(Trigger { only_size: true, ..opposite(edge) }),
+            Reason::SmallAngle(edge) => Some(known(edge)),
+            Reason::TooLarge(edge) => Some(Trigger { only_size: true, ..known(edge) }),
             Reason::Unknown => self.trigger(entry.slot()),
         }
     }

@@ -103,8 +103,25 @@ impl Trigger {
     /// The angle of a triangle opposite an edge.
     #[must_use]
     pub fn opposite(corners: [[f64; 2]; 3], edge: usize) -> Self {
+        Self::with(Angle::at, corners, edge)
+    }
+
+    /// The same of a triangle that is known to be bad: the angle only tells where its Steiner point
+    /// goes, and is rounded.
+    #[inline]
+    #[must_use]
+    pub fn known(corners: [[f64; 2]; 3], edge: usize) -> Self {
+        Self::with(Angle::rounded, corners, edge)
+    }
+
+    #[inline(always)]
+    fn with(
+        angle_at: impl Fn([f64; 2], [f64; 2], [f64; 2]) -> Angle,
+        corners: [[f64; 2]; 3],
+        edge: usize,
+    ) -> Self {
         let [x, a, b] = [edge, next(edge), previous(edge)].map(|i| corners[i]);
-        let (squared, angle) = (Relative::of(a, b).squared, Angle::at(x, a, b));
+        let (squared, angle) = (Relative::of(a, b).squared, angle_at(x, a, b));
         Self { edge, squared, angle, only_size: false }
     }
 }
