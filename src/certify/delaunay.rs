@@ -9,6 +9,7 @@ use super::exact;
 use super::fault::{Fault, FaultKind};
 use super::outline::Outline;
 use super::precision::Floor;
+use super::screens::Screens;
 use super::verdict::Judgement;
 use crate::boxes::{Boxes, Rectangle};
 
@@ -72,7 +73,8 @@ pub(super) fn judge_discs(
 
 /// G3 where the mesh is Delaunay with respect to all its vertices (§7, `global`): none of them, seen
 /// or not, is strictly inside the diametral disc of a piece of a segment. With G2 the triangles'
-/// circles are empty of all vertices then.
+/// circles are empty of all vertices then. Limited by precision are what has a point where doubles
+/// end, and what is hidden by a piece that has one.
 pub(super) fn judge_discs_of_all(
     outline: Option<&Outline>,
     complex: &Complex,
@@ -84,6 +86,7 @@ pub(super) fn judge_discs_of_all(
     let (vertices, boxes): (Vec<u32>, Vec<Rectangle>) =
         used.map(|v| (v, Rectangle::around(complex.at(v), complex.at(v)))).unzip();
     let tree = Boxes::new(&boxes);
+    let screens = Screens::new(complex, chains, floor);
     for h in chains.bound().filter(|&h| chains.is_subsegment(h)) {
         let twin = complex.twin(h);
         if twin != NONE && h > twin {
@@ -101,7 +104,8 @@ pub(super) fn judge_discs_of_all(
             if let (Some(outline), Some(s)) = (outline, chains.segment(h)) {
                 fault = fault.of_segment(outline.segment_name(s));
             }
-            g3.add_unless(floor.covers(&[a, b, v]), fault);
+            let is_limited = floor.covers(&[a, b, v]) || screens.hide(complex, [a, b], v);
+            g3.add_unless(is_limited, fault);
             ControlFlow::Continue(())
         });
     }

@@ -35,6 +35,7 @@ mod outline;
 mod precision;
 mod provenance;
 mod roles;
+mod screens;
 mod sequences;
 mod shortest;
 mod tags;
@@ -143,7 +144,7 @@ fn judge(nearby: &Nearby, at_input: Vec<u32>, promise: &Promise) -> Certificate 
     certificate.theta_star = Some(theta_star);
     certificate.corollary_2 = corollary_2;
     certificate.kinds = kinds;
-    certificate.limited_triangles = complex.triangles.iter().filter(|t| floor.covers(t)).count();
+    certificate.limited_triangles = complex.triangles.iter().filter(|t| floor.covers(*t)).count();
     certificate.apexes = floor.apexes;
     certificate.narrows = floor.narrows;
     certificate

@@ -106,9 +106,9 @@ impl Floor {
         }
     }
 
-    /// Whether a triangle has a point in a stretch.
-    pub(super) fn covers(&self, triangle: &[u32; 3]) -> bool {
-        self.is_anywhere() && triangle.iter().any(|&v| self.limited[v as usize])
+    /// Whether a triangle or an edge, given by its points, has one in a stretch.
+    pub(super) fn covers(&self, points: &[u32]) -> bool {
+        self.is_anywhere() && points.iter().any(|&v| self.limited[v as usize])
     }
 
     /// Whether doubles end anywhere in the mesh.

@@ -185,6 +185,19 @@ fn what_doubles_end_in_the_midst_of_is_limited_not_broken() {
     }
 }
 
+/// Where the whole hull stays Delaunay, a hidden vertex may encroach what is far from where doubles end,
+/// because what hides it is there.
+#[test]
+fn what_is_hidden_where_doubles_end_is_limited_not_broken() {
+    let outline = hostile(46, 1862);
+    for steiner in [Steiner::OffCenter, Steiner::Circumcenter] {
+        let parameters = Parameters { steiner, region: Region::Global, ..Parameters::default() };
+        if let Verdict::Failed(reasons) = judge(&outline, &parameters).verdict {
+            panic!("{parameters:?}: {}", reasons.join("\n"));
+        }
+    }
+}
+
 #[test]
 fn wedges_take_few_points() {
     for (degrees, most) in [(1.0, 100), (0.1, 130), (0.01, 220), (0.001, 300)] {
