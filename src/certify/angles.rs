@@ -17,7 +17,7 @@ use super::fault::{Fault, FaultKind};
 use super::outline::{Angle, Outline};
 use super::precision::Floor;
 use super::verdict::{ExcusedAngle, Judgement};
-use crate::corners::{next, previous};
+use crate::corners::{each, next, previous};
 use crate::parameters::MinAngle;
 
 /// "Equality occurs: stated relative slack 1e-7" (ALGORITHM §8).
@@ -73,12 +73,20 @@ pub(super) fn judge(
         let points = complex.corners(t);
         let [p, q, r] = points;
         let sides = [vector(p, q), vector(q, r), vector(r, p)];
-        for k in 0..3 {
+        let corners = each([0, 1, 2], |k| {
             let [x, y] = sides[previous(k)];
-            let (cross, dot) = cross_and_dot(sides[k], [-x, -y]);
-            if between.has(cross, dot) {
+            cross_and_dot(sides[k], [-x, -y])
+        });
+        // (Most triangles are told by one question.)
+        let [first, second, third] = each(corners, |corner| between.has(corner));
+        if first & second & third {
+            continue;
+        }
+        for (k, corner) in corners.into_iter().enumerate() {
+            if between.has(corner) {
                 continue;
             }
+            let (cross, dot) = corner;
             // Plain numbers decide unless the angle is small or the triangle tiny or flat.
             let plain = cross > 1e-12 * dot.abs() && cross > 1e-150;
             let is_small = !plain || (dot > 0.0 && cross < tangent * dot);
@@ -120,8 +128,8 @@ struct Usual {
 impl Usual {
     /// Whether an angle is clearly one of these. (The answer is no for what is no number.)
     #[inline(always)]
-    fn has(&self, cross: f64, dot: f64) -> bool {
-        cross > 1e-150 && dot < self.most * cross && dot > self.least * cross
+    fn has(&self, (cross, dot): (f64, f64)) -> bool {
+        (cross > 1e-150) & (dot < self.most * cross) & (dot > self.least * cross)
     }
 
     /// Those of these that lie between two angles of the mesh, by more than rounding.

@@ -8,7 +8,7 @@
 use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::cmp::Ordering;
-use std::mem::discriminant;
+use std::mem::{self, discriminant};
 
 use super::complex::NONE;
 use super::fault::{Fault, FaultKind, Numbered};
@@ -44,14 +44,7 @@ impl<'a> Nearby<'a> {
         let [inputs, points] = [inputs, points]
             .map(|keyed| keyed.into_iter().map(|placed| placed as u32).collect::<Vec<_>>());
         let new = inverse(&points);
-        let order = by_first_point(&given.triangles, &new);
-        let named = |&t: &u32| each(given.triangles[t as usize], |v| renamed(v, &new));
-        let triangles = order.iter().map(named).collect();
-        let mut numbers = OnceCell::new();
-        if let Cow::Owned(mesh) = &mut given {
-            numbers = OnceCell::from(order);
-            mesh.triangles = Vec::new();
-        }
+        let (triangles, numbers) = triangles_along(&mut given, &new);
         let mesh = renumbered(&given, &points, &new, triangles);
         if let Cow::Owned(mesh) = &mut given {
             let triangle_tags = std::mem::take(&mut mesh.triangle_tags);
@@ -63,7 +56,10 @@ impl<'a> Nearby<'a> {
 
     /// The old number of a triangle.
     fn triangle(&self, t: u32) -> u32 {
-        let numbers = || by_first_point(&self.given.triangles, &inverse(&self.points));
+        let numbers = || {
+            let new = inverse(&self.points);
+            by_first_point(self.given.triangles.iter().map(|t| named(t, &new)), new.len())
+        };
         self.triangles.get_or_init(numbers)[t as usize]
     }
 
@@ -189,16 +185,40 @@ fn inverse(old: &[u32]) -> Vec<u32> {
     new
 }
 
-/// The numbers of triangles in the order of their smallest points, as these are numbered newly.
-fn by_first_point(triangles: &[[u32; 3]], new: &[u32]) -> Vec<u32> {
-    let first = |&corners: &[u32; 3]| {
-        let [a, b, c] = each(corners, |v| renamed(v, new));
+/// The triangles by their corners' new numbers, in the order of the smallest of these; and their old
+/// numbers, where the mesh is handed over: its own list goes.
+fn triangles_along(given: &mut Cow<Mesh>, new: &[u32]) -> (Vec<[u32; 3]>, OnceCell<Vec<u32>>) {
+    match given {
+        Cow::Owned(mesh) => {
+            let mut all = mem::take(&mut mesh.triangles);
+            all.iter_mut().for_each(|corners| *corners = named(corners, new));
+            let order = by_first_point(all.iter().copied(), new.len());
+            (order.iter().map(|&t| all[t as usize]).collect(), OnceCell::from(order))
+        }
+        Cow::Borrowed(mesh) => {
+            let all = &mesh.triangles;
+            let order = by_first_point(all.iter().map(|corners| named(corners, new)), new.len());
+            let of_order = order.iter().map(|&t| named(&all[t as usize], new));
+            (of_order.collect(), OnceCell::new())
+        }
+    }
+}
+
+/// A triangle by its corners' new numbers.
+fn named(corners: &[u32; 3], new: &[u32]) -> [u32; 3] {
+    each(*corners, |v| renamed(v, new))
+}
+
+/// The numbers of triangles, given by their corners' new numbers, in the order of the smallest of
+/// these, which are below `points`.
+fn by_first_point(triangles: impl Iterator<Item = [u32; 3]>, points: usize) -> Vec<u32> {
+    let first = |[a, b, c]: [u32; 3]| {
         let first = a.min(b).min(c);
         // (What names a point that is not there comes first.)
-        if (first as usize) < new.len() { first } else { 0 }
+        if (first as usize) < points { first } else { 0 }
     };
-    let first: Vec<u32> = triangles.iter().map(first).collect();
-    super::grouped(new.len().max(1), first.iter().copied().zip(0..)).1
+    let first: Vec<u32> = triangles.map(first).collect();
+    super::grouped(points.max(1), first.iter().copied().zip(0..)).1
 }
 
 fn outline(pslg: &Pslg, inputs: &[u32]) -> Pslg {
