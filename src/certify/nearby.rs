@@ -47,7 +47,7 @@ impl<'a> Nearby<'a> {
         let (triangles, numbers) = triangles_along(&mut given, &new);
         let mesh = renumbered(&given, &points, &new, triangles);
         if let Cow::Owned(mesh) = &mut given {
-            let triangle_tags = std::mem::take(&mut mesh.triangle_tags);
+            let triangle_tags = mem::take(&mut mesh.triangle_tags);
             *mesh = Mesh { triangle_tags, ..Mesh::default() };
         }
         let pslg = outline(pslg, &inputs);
