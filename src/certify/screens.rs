@@ -2,8 +2,8 @@
 //!
 //! A vertex in the diametral disc of a piece of a segment may be hidden behind another piece. If the
 //! other one has no end in that disc, what the disc has beyond it lies in its own disc: the vertex is
-//! in both. Where doubles end the other one may not be split any more, and with it the first piece,
-//! which may be much longer, is encroached for good.
+//! in both. Where doubles end the other one may be too short to be split: it stays encroached then, and
+//! so does the first one, however long that is.
 
 use std::cmp::Ordering;
 use std::ops::ControlFlow;

@@ -97,6 +97,29 @@ fn an_apex_in_a_diametral_disc_is_named() {
 }
 
 #[test]
+fn where_the_whole_hull_stays_delaunay_a_hidden_vertex_in_a_diametral_disc_is_named() {
+    // Two triangles with a gap between: the lower corner of the one is in the disc of the other's top.
+    let below = polygon(&[[0.0, 0.0], [1.0, -1.5], [2.0, 0.0]]);
+    let above = polygon(&[[1.0, 0.5], [2.0, 2.2], [0.0, 2.2]]);
+    let pslg = Pslg {
+        points: [below.points, above.points].concat(),
+        segments: [below.segments, vec![[3, 4], [4, 5], [5, 3]]].concat(),
+        segment_tags: vec![0; 6],
+        ..Pslg::default()
+    };
+    let mesh = mesh_of(&pslg, &[], &[[0, 1, 2], [3, 4, 5]]);
+    fails(&judged(&pslg, &mesh), &[]);
+    let promise = Promise { region: Region::Global, ..Promise::default() };
+    let certificate = certify(&pslg, &mesh, &promise);
+    fails(&certificate, &[Guarantee::Unencroached, Guarantee::Matrix]);
+    let fault = first(&certificate, Guarantee::Unencroached);
+    assert_eq!(
+        (fault.edge.map(|[a, b]| [a.min(b), a.max(b)]), fault.point),
+        (Some([0, 2]), Some(3))
+    );
+}
+
+#[test]
 fn a_segment_is_broken_where_no_edge_follows_it() {
     let mut pslg = square();
     pslg.segments.push([1, 3]);
