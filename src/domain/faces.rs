@@ -34,7 +34,8 @@ impl Faces {
         // The face of each cycle; cycles around the outside of a connected part come last.
         let mut face = vec![unknown; cycles.count];
         let parts = connected_parts(linework);
-        let outer: Vec<usize> = parts.iter().map(|&leftmost| cycles.around(leftmost)).collect();
+        let outer: Vec<usize> =
+            parts.iter().map(|&place| cycles.around(linework.order[place])).collect();
         for &cycle in &outer {
             face[cycle] = OUTSIDE;
         }
@@ -46,7 +47,7 @@ impl Faces {
         let mut faces = Self { left: Vec::new(), meshed: Vec::new(), regions: Vec::new() };
         // From left to right: what lies below a part belongs to one that is done.
         for (&leftmost, &cycle) in parts.iter().zip(&outer) {
-            if let Some(side) = upper_side(linework, located.below[leftmost as usize]) {
+            if let Some(side) = upper_side(linework, located.below[leftmost]) {
                 face[cycle] = face[cycles.of_side[side] as usize];
             }
         }
@@ -173,16 +174,17 @@ fn next_sides(linework: &Linework) -> Vec<u32> {
     next
 }
 
-/// The leftmost point of each connected part of the linework, from left to right.
-fn connected_parts(linework: &Linework) -> Vec<u32> {
+/// The leftmost point of each connected part of the linework, from left to right, by its place in the
+/// order.
+fn connected_parts(linework: &Linework) -> Vec<usize> {
     let mut parts = Vec::new();
     let mut is_known = vec![false; linework.points.len()];
     let mut pending = Vec::new();
-    for &leftmost in linework.order {
+    for (place, &leftmost) in linework.order.iter().enumerate() {
         if is_known[leftmost as usize] || linework.adjoining_at(leftmost).is_empty() {
             continue;
         }
-        parts.push(leftmost);
+        parts.push(place);
         is_known[leftmost as usize] = true;
         pending.push(leftmost);
         while let Some(point) = pending.pop() {

@@ -169,14 +169,18 @@ impl Clean<'_> {
         }
         let is_bounding =
             |&segment: &u32| faces.sides(segment).iter().any(|&face| faces.is_meshed(face));
-        let is_in = |point: u32| match self.linework.adjoining_at(point) {
-            [] => {
-                let below = self.located.below[point as usize];
-                faces.is_meshed(faces.above(&self.linework, below))
+        let is_alone = |point: u32| self.linework.adjoining_at(point).is_empty();
+        let bounds = |point: u32| self.linework.adjoining_at(point).iter().any(is_bounding);
+        let all = 0..self.linework.points.len() as u32;
+        let mut is_in: Vec<bool> = all.map(|point| is_alone(point) || bounds(point)).collect();
+        // What lies in no meshed face is rare, and the order of the sweep is none of the memory.
+        for (&point, &below) in self.linework.order.iter().zip(&self.located.below) {
+            let face = faces.above(&self.linework, below);
+            if !faces.is_meshed(face) && is_alone(point) {
+                is_in[point as usize] = false;
             }
-            adjoining => adjoining.iter().any(is_bounding),
-        };
-        (0..self.linework.points.len() as u32).map(is_in).collect()
+        }
+        is_in
     }
 
     fn report_left_out(&self, faces: &Faces, points: &[bool], warnings: &mut Vec<Warning>) {

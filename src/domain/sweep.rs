@@ -36,7 +36,7 @@ impl<'a> Linework<'a> {
 /// What a clean sweep finds.
 #[derive(Debug)]
 pub struct Located {
-    /// For each point of the order the segment directly below it, `u32::MAX` where there is none.
+    /// For each point of the order the segment directly below it, [`NOTHING`] where there is none.
     /// ("Below" is meant lexicographically: a point above the upper end of a vertical segment lies
     /// beside it.)
     pub below: Vec<u32>,
@@ -51,9 +51,12 @@ pub enum Place {
     Point(u32),
     /// On a segment.
     Segment(u32),
-    /// Directly above this segment, `u32::MAX` where there is none.
+    /// Directly above this segment, [`NOTHING`] where there is none.
     Above(u32),
 }
+
+/// No segment.
+pub const NOTHING: u32 = u32::MAX;
 
 /// The first violation of Assumption 1 that the sweep meets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,8 +82,8 @@ const FETCHED: usize = 4096;
 pub fn sweep(linework: &Linework, seeds: &[[f64; 2]]) -> Result<Located, Violation> {
     let mut sweep = Sweep::new(linework);
     let mut located = Located {
-        below: vec![u32::MAX; linework.points.len()],
-        seeds: vec![Place::Above(u32::MAX); seeds.len()],
+        below: Vec::with_capacity(linework.order.len()),
+        seeds: vec![Place::Above(NOTHING); seeds.len()],
     };
     // A seed beyond the points may be too far off for exact arithmetic.
     let (low, high) = vertical_extent(linework.points);
@@ -100,7 +103,8 @@ pub fn sweep(linework: &Linework, seeds: &[[f64; 2]]) -> Result<Located, Violati
     for many in linework.order.chunks(FETCHED) {
         stops.clear();
         stops.extend(many.iter().map(fetch));
-        for stop @ Stop { point, place, .. } in stops.iter().copied() {
+        for stop in &stops {
+            let &Stop { point, place, .. } = stop;
             while let Some(seed) =
                 waiting.next_if(|&seed| lexicographic(seeds[seed as usize], place).is_le())
             {
@@ -110,7 +114,7 @@ pub fn sweep(linework: &Linework, seeds: &[[f64; 2]]) -> Result<Located, Violati
                     sweep.locate(seeds[seed as usize])
                 };
             }
-            located.below[point as usize] = sweep.pass(stop)?;
+            located.below.push(sweep.pass(stop)?);
         }
     }
     Ok(located)
@@ -146,19 +150,18 @@ impl<'a> Sweep<'a> {
     fn locate(&self, place: [f64; 2]) -> Place {
         match self.status.find(place) {
             Position::On(node) => Place::Segment(self.status.segment(node)),
-            Position::Between { below: NONE, .. } => Place::Above(u32::MAX),
+            Position::Between { below: NONE, .. } => Place::Above(NOTHING),
             Position::Between { below, .. } => Place::Above(self.status.segment(below)),
         }
     }
 
     /// Moves the sweep line past a point; returns the segment below it.
-    fn pass(&mut self, stop: Stop<'a>) -> Result<u32, Violation> {
+    fn pass(&mut self, stop: &Stop<'a>) -> Result<u32, Violation> {
         let (starting, ending) = self.starting_and_ending(stop);
         let [below, above] = self.neighbours(stop, ending)?;
-        let segment_below =
-            |below| if below == NONE { u32::MAX } else { self.status.segment(below) };
+        let segment_below = if below == NONE { NOTHING } else { self.status.segment(below) };
         if starting.is_empty() && ending.is_empty() {
-            return Ok(segment_below(below));
+            return Ok(segment_below);
         }
         self.no_two_in_one_direction(stop.place, starting)?;
 
@@ -188,12 +191,12 @@ impl<'a> Sweep<'a> {
                 self.no_crossing(last, above)?;
             }
         }
-        Ok(if below == NONE { u32::MAX } else { self.status.segment(below) })
+        Ok(segment_below)
     }
 
     /// The segments that start at a point, from bottom to top, and those that end there, from top
     /// to bottom.
-    fn starting_and_ending(&self, stop: Stop<'a>) -> (&'a [u32], &'a [u32]) {
+    fn starting_and_ending(&self, stop: &Stop<'a>) -> (&'a [u32], &'a [u32]) {
         let Linework { points, segments, .. } = *self.linework;
         let starts = |&segment: &u32| {
             let other = other_end(segments[segment as usize], stop.point);
@@ -204,8 +207,8 @@ impl<'a> Sweep<'a> {
 
     /// The nodes directly below and above a point, once the segments that end there are known to
     /// lie between those two, and no other.
-    fn neighbours(&self, stop: Stop, ending: &[u32]) -> Result<[u32; 2], Violation> {
-        let Stop { point, place, .. } = stop;
+    fn neighbours(&self, stop: &Stop, ending: &[u32]) -> Result<[u32; 2], Violation> {
+        let &Stop { point, place, .. } = stop;
         let on = |node| Violation::PointOnSegment { point, segment: self.status.segment(node) };
         let (Some(&highest), Some(&lowest)) = (ending.first(), ending.last()) else {
             return match self.status.find(place) {
