@@ -8,7 +8,7 @@ use crate::corners::each;
 use crate::domain::Domain;
 use crate::formats::{Membership, Mesh, Pslg, Tag};
 use crate::memory::give_back;
-use crate::radix::sort_by_upper_half;
+use crate::radix;
 use crate::refine::Refinement;
 use crate::refine::provenance::Provenances;
 use crate::triangulation::{Edge, Triangle, Triangulation};
@@ -200,7 +200,7 @@ fn subsegments_by_segment(refinement: &Refinement) -> Vec<u64> {
             found.push(u64::from(segment) << 32 | u64::from(edge));
         }
     });
-    sort_by_upper_half(&mut found);
+    radix::sort(&mut found);
     found
 }
 

@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use crate::radix::sort_by_upper_half;
+use crate::radix;
 
 /// By x, then by y; −0 equals 0. Coordinates are finite.
 pub fn lexicographic([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> Ordering {
@@ -29,7 +29,7 @@ pub fn in_columns(points: &[[f64; 2]], indices: impl Iterator<Item = u32> + Clon
     // Rounded, but never the wrong way round: each step keeps the order.
     let column = |[x, _]: [f64; 2]| u64::from(((x - low) * columns) as u32);
     let mut placed: Vec<u64> = indices.map(|i| column(at(i)) << 32 | u64::from(i)).collect();
-    sort_by_upper_half(&mut placed);
+    radix::sort(&mut placed);
     for same in placed.chunk_by_mut(|a, b| a >> 32 == b >> 32).filter(|same| same.len() > 1) {
         let at = |placed: u64| points[placed as u32 as usize];
         same.sort_unstable_by(|&a, &b| lexicographic(at(a), at(b)).then(a.cmp(&b)));

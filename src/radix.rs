@@ -5,13 +5,15 @@ use crate::memory::give_back;
 /// Bits of the key that are looked at in one pass.
 const DIGIT: u32 = 11;
 const PASSES: usize = 3;
-/// Fewer numbers are compared.
+/// Fewer numbers are compared, and so are more: all over the memory that many take, each would be put
+/// where the cache is not.
 const FEW: usize = 1 << 12;
+const MANY: usize = 1 << 19;
 
-/// Sorts numbers by their upper 32 bits; equals stay in their order.
-pub fn sort_by_upper_half(numbers: &mut Vec<u64>) {
-    if numbers.len() < FEW {
-        numbers.sort_by_key(|number| number >> 32);
+/// Sorts numbers, the upper half of which is a key, and the lower an index that counts up.
+pub fn sort(numbers: &mut Vec<u64>) {
+    if !(FEW..MANY).contains(&numbers.len()) {
+        numbers.sort_unstable();
         return;
     }
     let digit = |number: u64, pass: usize| {
@@ -25,6 +27,9 @@ pub fn sort_by_upper_half(numbers: &mut Vec<u64>) {
     }
     let mut sorted = vec![0; numbers.len()];
     for (pass, starts) in starts.iter_mut().enumerate() {
+        if starts[digit(numbers[0], pass)] as usize == numbers.len() {
+            continue; // that digit is the same in all
+        }
         let mut before = 0;
         for start in starts.iter_mut() {
             (before, *start) = (before + *start, before);
@@ -45,15 +50,19 @@ mod tests {
     use crate::random::Random;
 
     #[test]
-    fn many_numbers_are_sorted_as_few_are() {
+    fn numbers_are_sorted_however_many_there_are() {
         let mut random = Random::default();
-        // Keys that differ in each digit, and are often the same.
-        let key = |bits: u64| bits & 0xe01c_0303_0000_0000;
-        let mut numbers: Vec<u64> =
-            (0..3 * FEW as u64).map(|index| key(random.bits()) | index).collect();
-        let mut expected = numbers.clone();
-        expected.sort_by_key(|number| number >> 32);
-        sort_by_upper_half(&mut numbers);
-        assert_eq!(numbers, expected);
+        // Keys that differ in each digit or only in one, and are often the same.
+        for mask in [0xe01c_0303_u64, 0x0000_0303] {
+            for count in [FEW - 1, 3 * FEW, MANY] {
+                let key = |bits: u64| bits & mask << 32;
+                let mut numbers: Vec<u64> =
+                    (0..count as u64).map(|index| key(random.bits()) | index).collect();
+                let mut expected = numbers.clone();
+                expected.sort_by_key(|number| number >> 32);
+                sort(&mut numbers);
+                assert!(numbers == expected, "{count} numbers");
+            }
+        }
     }
 }

@@ -16,7 +16,7 @@ use super::verdict::{Certificate, NarrowTo};
 use crate::corners::each;
 use crate::formats::{Membership, Mesh, Pslg, Source, Tag};
 use crate::hilbert::Curve;
-use crate::radix::sort_by_upper_half;
+use crate::radix;
 
 /// An outline and a mesh with other numbers of points and triangles.
 pub(super) struct Nearby<'a> {
@@ -137,7 +137,7 @@ fn curve_through(outline: &[[f64; 2]], mesh: &[[f64; 2]]) -> Curve {
 fn along(curve: Curve, points: &[[f64; 2]]) -> Vec<u64> {
     let places = points.iter().map(|&p| u64::from(curve.place(p)));
     let mut placed: Vec<_> = (0..).zip(places).map(|(v, place)| place << 32 | v).collect();
-    sort_by_upper_half(&mut placed);
+    radix::sort(&mut placed);
     for same in placed.chunk_by_mut(|a, b| a >> 32 == b >> 32).filter(|same| same.len() > 1) {
         let at = |placed: u64| points[placed as u32 as usize];
         same.sort_unstable_by(|&v, &w| by_place(at(v), at(w)).then(v.cmp(&w)));

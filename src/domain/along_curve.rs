@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use super::{Domain, hull};
 use crate::hilbert::Curve;
 use crate::memory::give_back;
-use crate::radix::sort_by_upper_half;
+use crate::radix;
 
 impl Domain {
     /// The same domain with its points along a Hilbert curve, so that what is near in the plane is
@@ -126,7 +126,7 @@ fn sort_along_hilbert_curve(points: &[[f64; 2]], indices: &mut [u32]) {
     let curve = Curve::new(low, high);
     let placed = indices.iter().map(|&i| (points[i as usize], u64::from(i)));
     let mut placed: Vec<u64> = placed.map(|(p, i)| u64::from(curve.place(p)) << 32 | i).collect();
-    sort_by_upper_half(&mut placed);
+    radix::sort(&mut placed);
     indices.iter_mut().zip(&placed).for_each(|(i, &placed)| *i = placed as u32);
     let mut rest = indices;
     for cell in placed.chunk_by(|a, b| a >> 32 == b >> 32) {

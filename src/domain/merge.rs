@@ -5,7 +5,7 @@ use super::error::{Item, Kind, Warning};
 use crate::Pslg;
 use crate::columns::in_columns;
 use crate::memory::give_back;
-use crate::radix::sort_by_upper_half;
+use crate::radix;
 
 /// The distinct points of an outline.
 pub struct Points {
@@ -151,7 +151,7 @@ pub fn segments(pslg: &Pslg, distinct: &[u32], warnings: &mut Vec<Warning>) -> S
 fn firsts(count: u32, ends: impl Fn(u32) -> [u32; 2]) -> Vec<u32> {
     let mut placed: Vec<u64> =
         (0..count).map(|index| u64::from(ends(index)[0]) << 32 | u64::from(index)).collect();
-    sort_by_upper_half(&mut placed);
+    radix::sort(&mut placed);
     let mut first: Vec<u32> = (0..count).collect();
     for at_end in placed.chunk_by_mut(|a, b| a >> 32 == b >> 32).filter(|same| same.len() > 1) {
         at_end.sort_unstable_by_key(|&placed| (ends(placed as u32)[1], placed as u32));
