@@ -39,13 +39,20 @@ impl<'a> Nearby<'a> {
     /// place, the first of several; or [`NONE`].
     pub(super) fn new(pslg: &Pslg, mut given: Cow<'a, Mesh>) -> (Self, Vec<u32>) {
         let curve = curve_through(&pslg.points, &given.points);
-        let (inputs, points) = (along(curve, &pslg.points), along(curve, &given.points));
-        let at_input = places_in_common((&points, &given.points), (&inputs, &pslg.points));
+        let points = along(curve, &given.points);
+        let points_at = in_order(&points, &given.points);
+        if let Cow::Owned(mesh) = &mut given {
+            mesh.points = Vec::new();
+        }
+        let inputs = along(curve, &pslg.points);
+        let inputs_at = in_order(&inputs, &pslg.points);
+        let at_input = places_in_common((&points, &points_at), (&inputs, &inputs_at));
+        drop(inputs_at); // until the triangles, which take most memory, are in order
         let [inputs, points] = [inputs, points]
-            .map(|keyed| keyed.into_iter().map(|placed| placed as u32).collect::<Vec<_>>());
+            .map(|along| along.into_iter().map(|placed| placed as u32).collect::<Vec<_>>());
         let new = inverse(&points);
         let (triangles, numbers) = triangles_along(&mut given, &new);
-        let mesh = renumbered(&given, &points, &new, triangles);
+        let mesh = renumbered(&given, &points, &new, (points_at, triangles));
         if let Cow::Owned(mesh) = &mut given {
             let triangle_tags = mem::take(&mut mesh.triangle_tags);
             *mesh = Mesh { triangle_tags, ..Mesh::default() };
@@ -131,9 +138,9 @@ fn curve_through(outline: &[[f64; 2]], mesh: &[[f64; 2]]) -> Curve {
     Curve::new(low, high)
 }
 
-/// The points' places along a curve (in the high half) with their numbers, in that order. Where the curve cannot tell
-/// them apart they stand as [`by_place`] says, so that two lists along one curve can be compared step
-/// by step.
+/// The points' places along a curve (in the high half) with their numbers, in that order. Where the
+/// curve cannot tell them apart they stand as [`by_place`] says, so that two lists along one curve can
+/// be compared step by step.
 fn along(curve: Curve, points: &[[f64; 2]]) -> Vec<u64> {
     let places = points.iter().map(|&p| u64::from(curve.place(p)));
     let mut placed: Vec<_> = (0..).zip(places).map(|(v, place)| place << 32 | v).collect();
@@ -152,26 +159,25 @@ fn by_place(p: [f64; 2], q: [f64; 2]) -> Ordering {
     order(p[0], q[0]).then(order(p[1], q[1]))
 }
 
-/// A list of points as [`along`] gives it, and where they are.
+/// Where points are, in their order [`along`] a curve.
+fn in_order(along: &[u64], points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    along.iter().map(|&placed| points[placed as u32 as usize]).collect()
+}
+
+/// A list of points as [`along`] gives it, and where they are, in that order.
 type Placed<'a> = (&'a [u64], &'a [[f64; 2]]);
 
 /// For each point of the first list the first one of the second at the very same place, both by
 /// their new numbers; or [`NONE`].
 fn places_in_common((points, at): Placed, (others, others_at): Placed) -> Vec<u32> {
-    let mut next = 0;
-    let found = points.iter().map(|&placed| {
-        let order = |&other: &u64| {
-            let places = || (others_at[other as u32 as usize], at[placed as u32 as usize]);
-            (other >> 32).cmp(&(placed >> 32)).then_with(|| {
-                let (q, p) = places();
-                by_place(q, p)
-            })
-        };
-        while others.get(next).is_some_and(|other| order(other) == Ordering::Less) {
-            next += 1;
+    let mut others = (0..).zip(others.iter().zip(others_at)).peekable();
+    let found = points.iter().zip(at).map(|(&placed, &p)| {
+        let order = |other: u64, q| (other >> 32).cmp(&(placed >> 32)).then_with(|| by_place(q, p));
+        while others.next_if(|&(_, (&other, &q))| order(other, q).is_lt()).is_some() {}
+        match others.peek() {
+            Some(&(number, (&other, &q))) if order(other, q).is_eq() => number,
+            _ => NONE,
         }
-        let is_same = others.get(next).is_some_and(|other| order(other) == Ordering::Equal);
-        if is_same { next as u32 } else { NONE }
     });
     found.collect()
 }
@@ -221,6 +227,7 @@ fn by_first_point(triangles: impl Iterator<Item = [u32; 3]>, points: usize) -> V
     super::grouped(points.max(1), first.iter().copied().zip(0..)).1
 }
 
+/// An outline with its points in a new order, `inputs` by their old numbers.
 fn outline(pslg: &Pslg, inputs: &[u32]) -> Pslg {
     let new = inverse(inputs);
     let item = |membership: &Membership| match membership.dim {
@@ -249,13 +256,20 @@ fn outline(pslg: &Pslg, inputs: &[u32]) -> Pslg {
     }
 }
 
-fn renumbered(mesh: &Mesh, points: &[u32], new: &[u32], triangles: Vec<[u32; 3]>) -> Mesh {
+/// A mesh with its points in a new order, `points` by their old numbers, where they are, and with
+/// its triangles.
+fn renumbered(
+    mesh: &Mesh,
+    points: &[u32],
+    new: &[u32],
+    (at, triangles): (Vec<[f64; 2]>, Vec<[u32; 3]>),
+) -> Mesh {
     let item = |membership: &Membership| match membership.dim {
         0 => renamed(membership.item, new),
         _ => membership.item,
     };
     Mesh {
-        points: points.iter().map(|&v| mesh.points[v as usize]).collect(),
+        points: at,
         provenance: match mesh.provenance.len() == points.len() {
             true => points.iter().map(|&v| mesh.provenance[v as usize]).collect(),
             false => Vec::new(),

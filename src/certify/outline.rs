@@ -66,6 +66,9 @@ pub(super) struct Face {
     pieces: i64,
 }
 
+/// So many points are fetched at once: one by one, each would be waited for.
+const FETCHED: usize = 4096;
+
 /// Where a seed lies.
 type Seat = Option<u32>;
 
@@ -100,15 +103,20 @@ impl<'a> Outline<'a> {
     fn merge_points(&mut self) {
         let points = &self.points;
         let finite = |v: u32| self.pslg.points[v as usize].iter().all(|x| x.is_finite());
-        let placed = in_columns(points, (0..points.len() as u32).filter(|&v| finite(v)));
-        let mut sorted: Vec<u32> = placed.into_iter().map(|placed| placed as u32).collect();
-        let mut same = vec![NONE; points.len()];
-        for group in sorted.chunk_by(|&v, &w| points[v as usize] == points[w as usize]) {
-            for &v in group {
-                same[v as usize] = group[0];
+        let all = 0..points.len() as u32;
+        let placed = in_columns(points, all.clone().filter(|&v| finite(v)));
+        let mut same: Vec<u32> = all.map(|v| if finite(v) { v } else { NONE }).collect();
+        // Equals share a column, which few do.
+        for column in placed.chunk_by(|v, w| v >> 32 == w >> 32).filter(|column| column.len() > 1) {
+            let at = |placed: u64| points[placed as u32 as usize];
+            for group in column.chunk_by(|&v, &w| at(v) == at(w)) {
+                group.iter().for_each(|&v| same[v as u32 as usize] = group[0] as u32);
             }
         }
-        sorted.retain(|&v| same[v as usize] == v);
+        let mut sorted: Vec<u32> = placed.into_iter().map(|placed| placed as u32).collect();
+        if (0..).zip(&same).any(|(v, &same)| same != NONE && same != v) {
+            sorted.retain(|&v| same[v as usize] == v);
+        }
         (self.sorted, self.same) = (sorted, same);
     }
 
@@ -203,7 +211,7 @@ impl<'a> Outline<'a> {
         let part = self.parts();
         let mut outside = vec![NONE; self.points.len()]; // by part: its outer cycle
         let mut first = vec![NONE; self.points.len()]; // by part: that point
-        for &v in &self.sorted {
+        for &v in self.sorted.iter().filter(|&&v| !self.spokes(v).is_empty()) {
             let part = part[v as usize] as usize;
             if first[part] == NONE {
                 first[part] = v;
@@ -286,9 +294,9 @@ impl<'a> Outline<'a> {
         (0..parent.len() as u32).map(|v| root(&mut parent, v)).collect()
     }
 
-    /// Sweeps from left to right, and tells what lies below each point that asks: the first point
-    /// of each connected part (`outer_cycle` gives its cycle, [`NONE`] for an isolated point) and
-    /// each seed. What lies below is the face there.
+    /// Sweeps from left to right, and tells what lies below each isolated point, below the first point
+    /// of each connected part (`outer_cycle` gives its cycle), and below each seed. What lies below is
+    /// the face there.
     fn sweep(
         &mut self,
         cycle: &[u32],
@@ -300,47 +308,51 @@ impl<'a> Outline<'a> {
         seeds.retain(|(_, p)| p.iter().all(|x| x.is_finite()));
         seeds.sort_by(|(_, p), (_, q)| lexicographic(*p, *q));
         let mut seeds = seeds.into_iter().peekable();
+        let mut seat = |status: &Status, face_of_cycle: &[u32], outline: &Self, (seed, p)| {
+            let below = status.below(outline, p);
+            let on = status.on(outline, below, p);
+            seats[seed] = (!on).then(|| status.face_above(below, cycle, face_of_cycle));
+        };
         let mut status = Status::default();
-        let mut sorted = std::mem::take(&mut self.sorted).into_iter().map(Some).collect::<Vec<_>>();
-        sorted.push(None);
-        for v in &sorted {
-            // Seeds before the point; a seed on a point lies in no face.
-            while let Some(&(seed, p)) = seeds.peek() {
-                let order = v.map_or(Ordering::Less, |v| lexicographic(p, self.points[v as usize]));
-                match order {
-                    Ordering::Greater => break,
-                    Ordering::Equal => {}
-                    Ordering::Less => {
-                        let below = status.below(self, p);
-                        let on = status.on(self, below, p);
-                        let face = status.face_above(below, cycle, face_of_cycle);
-                        seats[seed] = (!on).then_some(face);
+        let sorted = std::mem::take(&mut self.sorted);
+        let mut stops = Vec::new();
+        for many in sorted.chunks(FETCHED) {
+            stops.clear();
+            stops.extend(many.iter().map(|&v| {
+                (v, self.points[v as usize], self.start[v as usize], self.start[v as usize + 1])
+            }));
+            for &(v, at, start, end) in &stops {
+                // Seeds before the point; a seed on a point lies in no face.
+                while let Some(seed) = seeds.next_if(|&(_, p)| lexicographic(p, at).is_le()) {
+                    if lexicographic(seed.1, at).is_lt() {
+                        seat(&status, face_of_cycle, self, seed);
                     }
                 }
-                seeds.next();
-            }
-            let Some(v) = *v else { break };
-            let at = self.points[v as usize];
-            let below = status.remove_ending(self, v);
-            if let Some(outer) = outer_cycle(v) {
-                let face = status.face_above(below, cycle, face_of_cycle);
-                self.faces[face as usize].pieces += 1;
-                match outer {
-                    NONE => self.face_around[v as usize] = face,
-                    outer => face_of_cycle[outer as usize] = face,
+                if start == end {
+                    let below = status.below(self, at);
+                    let face = status.face_above(below, cycle, face_of_cycle);
+                    self.faces[face as usize].pieces += 1;
+                    self.face_around[v as usize] = face;
+                    continue;
                 }
+                let below = status.remove_ending(self, v);
+                if let Some(outer) = outer_cycle(v) {
+                    let face = status.face_above(below, cycle, face_of_cycle);
+                    self.faces[face as usize].pieces += 1;
+                    face_of_cycle[outer as usize] = face;
+                }
+                // From below to above: first what falls, then what rises.
+                let spokes = &self.spokes[start as usize..end as usize];
+                let right = |h: &&u32| {
+                    lexicographic(at, self.points[self.target(**h) as usize]) == Ordering::Less
+                };
+                let falling = spokes.iter().filter(|h| !self.rises(**h)).filter(right);
+                let rising = spokes.iter().filter(|h| self.rises(**h)).filter(right);
+                status.insert(below, falling.chain(rising).copied());
             }
-            // From below to above: first what falls, then what rises.
-            let spokes = self.spokes(v);
-            let right = |h: &&u32| {
-                lexicographic(at, self.points[self.target(**h) as usize]) == Ordering::Less
-            };
-            let falling = spokes.iter().filter(|h| !self.rises(**h)).filter(right);
-            let rising = spokes.iter().filter(|h| self.rises(**h)).filter(right);
-            status.insert(below, falling.chain(rising).copied());
         }
-        sorted.pop();
-        self.sorted = sorted.into_iter().flatten().collect();
+        seeds.for_each(|seed| seat(&status, face_of_cycle, self, seed));
+        self.sorted = sorted;
         seats
     }
 
