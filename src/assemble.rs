@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::mem;
 
+use crate::Region;
 use crate::attributes::interpolate;
 use crate::corners::each;
 use crate::domain::Domain;
@@ -26,7 +27,7 @@ pub fn assemble(
 ) -> Mesh {
     refinement.mesh.forget_anchors();
     let pieces = subsegments(&refinement);
-    let order = OutputOrder::of(&refinement.mesh, pslg.points.len(), &domain.input_points);
+    let order = OutputOrder::of(&refinement.mesh, pslg.points.len(), domain);
     let point_data =
         interpolate(&pslg.point_attributes, initial, &refinement, domain, order.vertices());
     let Triangulation { points, triangles, regions, .. } = mem::take(&mut refinement.mesh);
@@ -81,16 +82,31 @@ struct OutputOrder {
 }
 
 const UNUSED: u32 = u32::MAX;
+/// What stands for the place of a vertex that is used, until it has one.
+const USED: u32 = 0;
+
+/// Whether each vertex is used: [`USED`] or [`UNUSED`].
+fn places_to_be(mesh: &Triangulation, domain: &Domain) -> Vec<u32> {
+    if domain.region == Region::Global {
+        // Points were committed outside of what is meshed, too.
+        let mut places = vec![UNUSED; mesh.points.len()];
+        let used = mesh.triangles.iter().flat_map(|triangle| triangle.vertices);
+        used.for_each(|v| places[v as usize] = USED);
+        return places;
+    }
+    let is_meshed = domain.meshed_points.iter();
+    let mut places: Vec<u32> =
+        is_meshed.map(|&is_meshed| if is_meshed { USED } else { UNUSED }).collect();
+    places.resize(mesh.points.len(), USED);
+    places
+}
 
 impl OutputOrder {
-    /// The first vertices of the mesh are `input_points` of an outline that has so many
+    /// The first vertices of the mesh are those of the domain of an outline with so many
     /// `outline_points`.
-    fn of(mesh: &Triangulation, outline_points: usize, input_points: &[u32]) -> Self {
-        const USED: u32 = 0;
-        let mut places = vec![UNUSED; mesh.points.len()];
-        for triangle in &mesh.triangles {
-            triangle.vertices.iter().for_each(|&v| places[v as usize] = USED);
-        }
+    fn of(mesh: &Triangulation, outline_points: usize, domain: &Domain) -> Self {
+        let input_points = &domain.input_points;
+        let mut places = places_to_be(mesh, domain);
         let mut inputs = vec![UNUSED; outline_points];
         for (v, (&input, &place)) in (0..).zip(input_points.iter().zip(&places)) {
             if place == USED {

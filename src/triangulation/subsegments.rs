@@ -33,7 +33,9 @@ impl Anchors {
         // A fan that is no whole turn has one edge with nothing behind it that starts at its vertex: two
         // of those make a pinched vertex.
         let (mut on_subsegments, mut open, mut pinched) = (none(), none(), none());
+        let mut edges = Vec::new();
         triangulation.constrained_edges().for_each(|edge| {
+            edges.push(edge);
             let ends = triangulation.ends(edge);
             ends.iter().for_each(|&v| on_subsegments[v as usize] = true);
             if triangulation.behind(edge).is_outside() {
@@ -48,13 +50,13 @@ impl Anchors {
         let vertices: RankedSet = on_subsegments.into_iter().collect();
         let slots = vec![u32::MAX; vertices.members()];
         let mut made = Self { vertices, slots, pinched, pinched_edges: Vec::new() };
-        triangulation.constrained_edges().for_each(|edge| {
+        for edge in edges {
             let ends = triangulation.ends(edge);
             if ends.iter().all(|&v| made.is_pinched(v)) {
                 made.pinched_edges.push((sorted(ends), edge.triangle()));
             }
             ends.iter().for_each(|&v| made.set_at(v, edge.triangle()));
-        });
+        }
         made.pinched_edges.sort_unstable();
         made.pinched_edges.dedup_by_key(|entry| entry.0);
         made
