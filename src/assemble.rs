@@ -178,26 +178,27 @@ struct Subsegments {
 
 fn subsegments(refinement: &Refinement) -> Subsegments {
     let found = subsegments_by_segment(refinement);
-    let mut pieces = Subsegments {
-        ends: Vec::with_capacity(found.len()),
-        segments: Vec::with_capacity(found.len()),
-    };
-    let mut in_order: Vec<(f64, [u32; 2])> = Vec::new();
-    for of_segment in found.chunk_by(|a, b| a >> 32 == b >> 32) {
-        let segment = (of_segment[0] >> 32) as u32;
-        let is_whole = of_segment.len() == 1;
-        in_order.extend(of_segment.iter().map(|&placed| {
-            let ends = refinement.mesh.ends(Edge::new(placed as u32 >> 3, placed as usize & 3));
-            // Twice the distance of its middle from the segment's first end.
-            let along = || ends.iter().map(|&v| refinement.distance_along(segment, v)).sum();
-            (if is_whole { 0.0 } else { along() }, ends)
-        }));
-        in_order.sort_unstable_by(|(along_s, _), (along_t, _)| along_s.total_cmp(along_t));
-        pieces.segments.extend(in_order.iter().map(|_| segment));
-        pieces.ends.extend(in_order.drain(..).map(|(_, ends)| ends));
-    }
+    // (All ends first: one by one, between other things, each would be waited for.)
+    let ends_of = |edge: u32| refinement.mesh.ends(Edge::new(edge >> 3, edge as usize & 3));
+    let mut ends: Vec<[u32; 2]> = found.iter().map(|&placed| ends_of(placed as u32)).collect();
+    let segments: Vec<u32> = found.iter().map(|&placed| (placed >> 32) as u32).collect();
     give_back(found);
-    pieces
+    let mut in_order: Vec<(f64, [u32; 2])> = Vec::new();
+    let mut rest = &mut ends[..];
+    for of_segment in segments.chunk_by(|a, b| a == b) {
+        let (pieces, others) = rest.split_at_mut(of_segment.len());
+        rest = others;
+        if pieces.len() > 1 {
+            in_order.extend(pieces.iter().map(|&ends| {
+                // Twice the distance of its middle from the segment's first end.
+                let along = ends.map(|v| refinement.distance_along(of_segment[0], v));
+                (along.iter().sum(), ends)
+            }));
+            in_order.sort_unstable_by(|(along_s, _), (along_t, _)| along_s.total_cmp(along_t));
+            pieces.iter_mut().zip(in_order.drain(..)).for_each(|(piece, (_, ends))| *piece = ends);
+        }
+    }
+    Subsegments { ends, segments }
 }
 
 /// The subsegments, each as `segment << 32 | triangle << 3 | edge`, segment by segment.
