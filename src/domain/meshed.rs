@@ -172,7 +172,11 @@ impl Clean<'_> {
         let is_alone = |point: u32| self.linework.adjoining_at(point).is_empty();
         let bounds = |point: u32| self.linework.adjoining_at(point).iter().any(is_bounding);
         let all = 0..self.linework.points.len() as u32;
-        let mut is_in: Vec<bool> = all.map(|point| is_alone(point) || bounds(point)).collect();
+        let mut is_in: Vec<bool> =
+            all.clone().map(|point| is_alone(point) || bounds(point)).collect();
+        if all.clone().all(|point| !is_alone(point)) {
+            return is_in;
+        }
         // What lies in no meshed face is rare, and the order of the sweep is none of the memory.
         for (&point, &below) in self.linework.order.iter().zip(&self.located.below) {
             let face = faces.above(&self.linework, below);

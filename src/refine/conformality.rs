@@ -10,15 +10,17 @@ use super::provenance::SegmentPoint;
 use super::trace::{Cause, Refusal};
 use super::{Flow, Refinement, Watch};
 use crate::constructions::point_on_segment;
+use crate::memory::give_back;
 use crate::predicates::{Relative, encroaches};
 use crate::triangulation::Edge;
 
 impl Refinement<'_> {
     /// Queues every subsegment that an apex of its encroaches.
     pub(super) fn find_encroached_subsegments(&mut self) {
-        for edge in self.mesh.constrained_edges().collect::<Vec<_>>() {
-            self.queue_if_encroached(edge);
-        }
+        let mut subsegments = Vec::new();
+        self.mesh.constrained_edges().for_each(|edge| subsegments.push(edge));
+        subsegments.iter().for_each(|&edge| self.queue_if_encroached(edge));
+        give_back(subsegments);
     }
 
     /// Splits until no subsegment is encroached, or what is left is refused.

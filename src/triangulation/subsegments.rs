@@ -2,6 +2,7 @@
 
 use super::{Cavity, Edge, Triangulation};
 use crate::corners::{next, previous};
+use crate::memory::give_back;
 use crate::ranked_set::RankedSet;
 
 /// For each vertex on a subsegment, one triangle that has a constrained edge at it.
@@ -50,13 +51,14 @@ impl Anchors {
         let vertices: RankedSet = on_subsegments.into_iter().collect();
         let slots = vec![u32::MAX; vertices.members()];
         let mut made = Self { vertices, slots, pinched, pinched_edges: Vec::new() };
-        for edge in edges {
+        for &edge in &edges {
             let ends = triangulation.ends(edge);
             if ends.iter().all(|&v| made.is_pinched(v)) {
                 made.pinched_edges.push((sorted(ends), edge.triangle()));
             }
             ends.iter().for_each(|&v| made.set_at(v, edge.triangle()));
         }
+        give_back(edges);
         made.pinched_edges.sort_unstable();
         made.pinched_edges.dedup_by_key(|entry| entry.0);
         made
