@@ -10,6 +10,8 @@ pub(super) struct Roles {
     known: Vec<u64>,
     /// By half-edge one bit: whether it is among them.
     is_bound: Vec<u64>,
+    /// How many of them come before each 64 half-edges, when settled.
+    before: Vec<u32>,
 }
 
 impl Roles {
@@ -18,6 +20,7 @@ impl Roles {
         Self {
             known: Vec::with_capacity(2 * edges),
             is_bound: vec![0; count.div_ceil(64) as usize],
+            before: Vec::new(),
         }
     }
 
@@ -43,6 +46,12 @@ impl Roles {
         self.known.dedup_by_key(|known| *known >> 32);
         self.known.reverse();
         self.known.shrink_to_fit();
+        let mut so_far = 0;
+        let counts = self.is_bound.iter().map(|bits| {
+            so_far += bits.count_ones();
+            so_far - bits.count_ones()
+        });
+        self.before = counts.collect();
     }
 
     /// Those half-edges, in order.
@@ -55,12 +64,14 @@ impl Roles {
         self.is_bound[h as usize / 64] >> (h % 64) & 1 == 1
     }
 
-    /// The half-edge of the outline that a half-edge is a part of.
+    /// The half-edge of the outline that a half-edge is a part of, once that is settled.
     pub(super) fn outline_half(&self, h: u32) -> Option<u32> {
         if !self.is_bound(h) {
             return None;
         }
-        let place = self.known.partition_point(|&known| ((known >> 32) as u32) < h);
-        (self.known[place] as u32).checked_sub(1)
+        let (word, bit) = (h as usize / 64, h % 64);
+        let below = (self.is_bound[word] & ((1 << bit) - 1)).count_ones();
+        let known = self.known[(self.before[word] + below) as usize];
+        (known as u32).checked_sub(1)
     }
 }
