@@ -1,13 +1,15 @@
-//! Sorting numbers whose upper half is a key and whose lower half an index: without comparisons.
+//! Sorting numbers whose upper half is a key and whose lower half an index: digit by digit, where that
+//! is faster than comparisons.
 
 use crate::memory::give_back;
 
 /// Bits of the key that are looked at in one pass.
 const DIGIT: u32 = 11;
 const PASSES: usize = 3;
-/// Fewer numbers are compared, and so are more: all over the memory that many take, each would be put
-/// where the cache is not.
+/// Fewer numbers are compared.
 const FEW: usize = 1 << 12;
+/// From here on numbers are compared, too: a pass puts each one somewhere else in more memory than the
+/// cache holds, and needs as much again.
 const MANY: usize = 1 << 19;
 
 /// Sorts numbers, the upper half of which is a key, and the lower an index that counts up.

@@ -46,8 +46,8 @@ impl Faces {
         }
         let mut faces = Self { left: Vec::new(), meshed: Vec::new(), regions: Vec::new() };
         // From left to right: what lies below a part belongs to one that is done.
-        for (&leftmost, &cycle) in parts.iter().zip(&outer) {
-            if let Some(side) = upper_side(linework, located.below[leftmost]) {
+        for (&place, &cycle) in parts.iter().zip(&outer) {
+            if let Some(side) = upper_side(linework, located.below[place]) {
                 face[cycle] = face[cycles.of_side[side] as usize];
             }
         }

@@ -174,7 +174,7 @@ impl Clean<'_> {
         let all = 0..self.linework.points.len() as u32;
         let mut is_in: Vec<bool> =
             all.clone().map(|point| is_alone(point) || bounds(point)).collect();
-        if all.clone().all(|point| !is_alone(point)) {
+        if !all.clone().any(is_alone) {
             return is_in;
         }
         // What lies in no meshed face is rare, and the order of the sweep is none of the memory.
