@@ -9,7 +9,7 @@ use super::quality::Trigger;
 use super::queue::Entry;
 use super::survey::{Look, Prospect, Survey};
 use super::{Refinement, soft};
-use crate::constructions::{beside_bisector, on_bisector};
+use crate::constructions::beside_bisector;
 use crate::corners::{next, previous};
 use crate::parameters::MinAngle;
 use crate::predicates::Relative;
@@ -33,7 +33,7 @@ const SHIFTS: [f64; 9] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75, -1.0, 1.0];
 const SOFT_DISTANCE: f64 = 0.75;
 
 /// Where a candidate stands over the trigger edge: height and shift, in its lengths.
-type Place = [f64; 2];
+pub(super) type Place = [f64; 2];
 
 /// What a trigger asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,18 +89,26 @@ pub(super) struct Demand {
 }
 
 impl Demand {
-    /// The place in the circumdisc that these coordinates of the unit disc stand for.
-    pub fn in_circumdisc(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    /// Where a candidate stands over the trigger edge: height and shift, in its lengths.
+    pub fn at(&self, [height, shift]: Place) -> [f64; 2] {
         let [a, b] = self.ends;
-        let [cx, cy] = on_bisector(a, b, self.circumcenter);
-        [cx + self.radius * x, cy + self.radius * y]
+        beside_bisector(a, b, height, shift)
+    }
+
+    /// The least distance from every vertex, squared, in lengths of the trigger edge.
+    pub fn relative_nearest(&self) -> f64 {
+        let [a, b] = self.ends;
+        self.nearest / Relative::of(a, b).squared
+    }
+
+    /// Whether it is in a mesh that is to reach a soft target.
+    pub fn has_target(&self) -> bool {
+        self.aim != Aim::Promise
     }
 
     /// The places that look-ahead tries.
-    pub fn places(&self) -> impl Iterator<Item = [f64; 2]> + use<> {
-        let [a, b] = self.ends;
-        places(self.circumcenter, self.aim)
-            .map(move |[height, shift]| beside_bisector(a, b, height, shift))
+    fn places(&self) -> impl Iterator<Item = [f64; 2]> {
+        places(self.circumcenter, self.aim).map(|place| self.at(place))
     }
 }
 

@@ -360,11 +360,16 @@ mod tests {
     use crate::triangulation::initial::triangulate;
     use crate::{Pslg, Region};
 
+    /// A place from -1 to 1 each way.
+    fn somewhere(random: &mut Random) -> [f64; 2] {
+        random.in_square().map(|x| 2.0 * x - 1.0)
+    }
+
     /// Random points in a square with a slit.
     fn mesh(random: &mut Random) -> Triangulation {
         let mut points = vec![[-1.2, -1.2], [1.2, -1.2], [1.2, 1.2], [-1.2, 1.2]];
         points.extend([[-0.9, 0.1], [0.8, 0.3]]);
-        points.extend((0..80).map(|_| random.in_disc()));
+        points.extend((0..80).map(|_| somewhere(random)));
         let segments = vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]];
         let segment_tags = vec![0; segments.len()];
         let pslg = Pslg { points, segments, segment_tags, ..Pslg::default() };
@@ -432,7 +437,7 @@ mod tests {
             for root in 0..mesh.triangles.len() as u32 {
                 let corners = mesh.corners(root);
                 let places: Vec<_> = (0..MOST_PLACES)
-                    .map(|_| random.in_disc())
+                    .map(|_| somewhere(random))
                     .map(|[x, y]| [corners[0][0] + 0.4 * x, corners[0][1] + 0.4 * y])
                     .collect();
                 let nearest = 1e-4;
@@ -462,7 +467,7 @@ mod tests {
         for root in 0..mesh.triangles.len() as u32 {
             let [x, y] = mesh.corners(root)[0];
             let places: Vec<_> = (0..MOST_PLACES)
-                .map(|_| random.in_disc())
+                .map(|_| somewhere(random))
                 .map(|place| [x + 0.2 * place[0], y + 0.2 * place[1]])
                 .collect();
             let others = mesh.triangles[root as usize].neighbors;

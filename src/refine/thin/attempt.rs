@@ -5,14 +5,15 @@ use super::super::look_ahead::Demand;
 use super::super::quality::Trigger;
 use super::super::survey::{Look, Prospect};
 use super::Thinner;
+use super::places::{DRAWN, Places};
 use crate::parameters::MinAngle;
 use crate::predicates::{self, Relative};
 use crate::triangulation::{Edge, Triangle};
 
 /// How many of a point's neighbours may go out with it.
-const MOST_NEIGHBORS: u64 = 3;
+const MOST_NEIGHBORS: u64 = 2;
 /// How many places are surveyed at least, if they are not to remove all bad triangles.
-const PLACES: u32 = 12;
+const LEAST_PLACES: u32 = 12;
 
 /// A triangle that was made.
 #[derive(Debug, Clone, Copy)]
@@ -188,17 +189,18 @@ impl Refinement<'_> {
         Some(())
     }
 
-    /// Surveys look-ahead's places for a point, and random ones.
+    /// Surveys random places for a point.
     ///
     /// A point removes only triangles whose circumdiscs hold it: so only places are surveyed that may
     /// remove the most bad ones.
     fn survey(&self, demand: &Demand, last: bool, thinner: &mut Thinner) {
         let mut survey = std::mem::take(&mut thinner.survey);
         let mut random = thinner.random.clone();
-        let drawn = std::iter::repeat_with(|| demand.in_circumdisc(random.in_disc()));
+        let places = Places::of(demand);
+        let drawn = (0..DRAWN).map(|_| places.at(random.in_square()));
         let bad = thinner.bad.iter().map(|found| found.slot);
-        survey.begin(&self.mesh, (demand.slot, demand.nearest), demand.places().chain(drawn));
-        survey.keep_in_most_discs(&self.mesh, bad, (!last).then_some(PLACES));
+        survey.begin(&self.mesh, (demand.slot, demand.nearest), drawn);
+        survey.keep_in_most_discs(&self.mesh, bad, (!last).then_some(LEAST_PLACES));
         let region = self.mesh.region(demand.slot);
         let most_made = if last { 0 } else { u32::MAX };
         survey.look_around(&self.mesh, &Thinning { refinement: self, thinner, region, most_made });

@@ -1,6 +1,6 @@
 //! Thinning a finished mesh (ALGORITHM §5): a few Steiner points out, as few as possible in.
 //!
-//! A try takes a random Steiner point and up to three of its neighbours out, and puts points in
+//! A try takes a random Steiner point and up to two of its neighbours out, and puts points in
 //! again until no bad triangle is left, by look-ahead's rule. It is kept where no more points came
 //! in than went out; else it is taken back. Tries that change nothing in number are kept too: they
 //! are the moves that lead to the others. Points on segments stay.
@@ -13,6 +13,7 @@
 //! so a million points take minutes.
 
 mod attempt;
+mod places;
 #[cfg(test)]
 mod tests;
 
