@@ -17,8 +17,11 @@ pub(super) const MOST_PLACES: usize = Set::BITS as usize;
 /// no choice would be worth it.
 const MOST_EDGES: usize = 1 << 12;
 
+/// Places are laid out in groups of so many: then loops over them that are made into vectors have
+/// nothing left over.
+const LANES: usize = 8;
 /// So many places are asked one by one.
-const FEW: u32 = 7;
+const FEW: u32 = 4;
 /// So many circumdiscs are compared.
 const MOST_DISCS: usize = 31;
 
@@ -96,6 +99,7 @@ pub(super) struct Survey {
     origin: [f64; 2],
     /// The least squared distance from every vertex.
     nearest: f64,
+    /// Behind the last place there may be others, which no set has.
     x: Vec<f64>,
     y: Vec<f64>,
     prospects: Vec<Prospect>,
@@ -124,10 +128,9 @@ impl Survey {
             [self.x[count], self.y[count]] = self.relative(place);
             count += 1;
         });
-        self.x.truncate(count);
-        self.y.truncate(count);
+        self.end_after(count);
         let corners = self.corners(mesh, root);
-        self.allowed = self.within(first(self.x.len()), Disc::around(corners));
+        self.allowed = self.within(first(count), Disc::around(corners));
         for corner in corners {
             self.allowed &= !self.near(self.allowed, corner);
         }
@@ -170,7 +173,9 @@ impl Survey {
         if look.must_stay(self.root) {
             self.allowed = 0;
         }
-        self.take_in(mesh, self.root, self.allowed, [0, 1, 2], look);
+        let corners = self.corners(mesh, self.root);
+        let edges = [0, 1, 2].map(|i| (i, [corners[next(i)], corners[previous(i)]]));
+        self.take_in(mesh, self.root, self.allowed, edges, look);
         for _ in 0..MOST_EDGES {
             let Some(side) = self.sides.pop() else { return };
             self.look_across(mesh, side, look);
@@ -202,11 +207,16 @@ impl Survey {
             (self.x[count], self.y[count]) = (self.x[i], self.y[i]);
             count += 1;
         }
-        self.x.truncate(count);
-        self.y.truncate(count);
+        self.end_after(count);
         self.prospects.clear();
         self.prospects.resize(count, Prospect::default());
         self.allowed = first(count);
+    }
+
+    /// Leaves the first `count` places, and what fills up their last lanes.
+    fn end_after(&mut self, count: usize) {
+        self.x.truncate(count.next_multiple_of(LANES));
+        self.y.truncate(count.next_multiple_of(LANES));
     }
 
     fn relative(&self, point: [f64; 2]) -> [f64; 2] {
@@ -224,7 +234,7 @@ impl Survey {
         mesh: &Triangulation,
         slot: u32,
         places: Set,
-        edges: [usize; N],
+        edges: [(usize, [[f64; 2]; 2]); N],
         look: &impl Look,
     ) {
         if places == 0 {
@@ -233,13 +243,8 @@ impl Survey {
         if look.is_bad(slot) {
             members(places).for_each(|i| self.prospects[i].removed += 1);
         }
-        let corners = self.corners(mesh, slot);
         let neighbors = mesh.triangles[slot as usize].neighbors;
-        self.sides.extend(edges.map(|i| Side {
-            ends: [corners[next(i)], corners[previous(i)]],
-            behind: neighbors[i],
-            places,
-        }));
+        self.sides.extend(edges.map(|(i, ends)| Side { ends, behind: neighbors[i], places }));
     }
 
     /// Takes the triangle behind an edge into the cavities that it belongs to. For the others the edge
@@ -264,7 +269,8 @@ impl Survey {
         }
         let forbidden = if look.must_stay(slot) { goes_with } else { self.near(goes_with, apex) };
         self.allowed &= !forbidden;
-        self.take_in(mesh, slot, goes_with & !forbidden, [next(i), previous(i)], look);
+        let edges = [(next(i), [a, apex]), (previous(i), [apex, b])];
+        self.take_in(mesh, slot, goes_with & !forbidden, edges, look);
     }
 
     /// Makes an edge one of the stars of its places.
