@@ -5,6 +5,7 @@
 //! the bad triangle, in the domain and not behind a segment, encroaching nothing, and at least
 //! √2·|ab| from every vertex, ab the trigger edge. So termination and every promise stay.
 
+use super::places::{PLACES, PLACES_WITH_TARGET, Place};
 use super::quality::Trigger;
 use super::queue::Entry;
 use super::survey::{Look, Prospect, Survey};
@@ -14,26 +15,16 @@ use crate::corners::{next, previous};
 use crate::parameters::MinAngle;
 use crate::predicates::Relative;
 
-/// Heights over the trigger edge, in its lengths; the circumcenter's comes on top. The last is the
-/// off-center's: there the new triangle's angle is a little above κ̂.
-///
-/// Choice (points of Superior, boxed, `baltic_like`, all with one order of the points; another order
-/// moves each by some 2 %): with these 780, 1 098, 4 742; shifts of a half instead of a quarter 797,
-/// 1 127, 4 895; six heights 778, 1 081, 4 682.
-const HEIGHTS: [f64; 3] = [1.33, 1.68, 2.02];
-/// The same where there is a soft target: its triangles are flatter. More heights cost points
-/// (boxed at 33°: 1 691 with this one; 1 807 with 1.33 and 1.385 too).
-const HEIGHTS_WITH_TARGET: [f64; 1] = [1.45];
+/// How high the off-center stands over the trigger edge, in its lengths: there the new triangle's angle
+/// is a little above κ̂.
+const OFF_CENTER: f64 = 2.02;
 /// For an angle that only misses the soft target: heights in the circumcenter's. (Of the last one only
 /// the middle is tried: more do not fit into a survey.)
 const SOFT_HEIGHTS: [f64; 8] = [1.0, 0.7, 0.85, 1.15, 1.3, 1.5, 1.7, 1.9];
-/// Shifts along the trigger edge from its middle, in its lengths.
-const SHIFTS: [f64; 9] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75, -1.0, 1.0];
+/// The same places: shifts along the trigger edge from its middle, in its lengths.
+const SOFT_SHIFTS: [f64; 9] = [0.0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75, -1.0, 1.0];
 /// How near to a vertex, in circumradii, a point for a soft target may be.
 const SOFT_DISTANCE: f64 = 0.75;
-
-/// Where a candidate stands over the trigger edge: height and shift, in its lengths.
-pub(super) type Place = [f64; 2];
 
 /// What a trigger asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,14 +39,16 @@ enum Aim {
 
 /// The places to try for a trigger whose circumcenter is at this height.
 fn places(circumcenter: f64, aim: Aim) -> impl Iterator<Item = Place> {
-    let (heights, unit): (&[f64], f64) = match aim {
-        Aim::Promise => (&HEIGHTS, 1.0),
-        Aim::PromiseOnTheWay => (&HEIGHTS_WITH_TARGET, 1.0),
-        Aim::Target => (&SOFT_HEIGHTS, circumcenter),
+    let (near, soft_heights): (&[Place], &[f64]) = match aim {
+        Aim::Promise => (&PLACES, &[]),
+        Aim::PromiseOnTheWay => (&PLACES_WITH_TARGET, &[]),
+        Aim::Target => (&[], &SOFT_HEIGHTS),
     };
-    let own = (aim != Aim::Target).then_some(circumcenter);
-    let heights = heights.iter().map(move |height| unit * height).chain(own);
-    heights.flat_map(|height| SHIFTS.iter().map(move |&shift| [height, shift]))
+    let usual = (aim != Aim::Target).then_some([[OFF_CENTER, 0.0], [circumcenter, 0.0]]);
+    let soft = soft_heights
+        .iter()
+        .flat_map(move |height| SOFT_SHIFTS.map(|shift| [height * circumcenter, shift]));
+    usual.into_iter().flatten().chain(near.iter().copied()).chain(soft)
 }
 
 /// What a candidate would do.

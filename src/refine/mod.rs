@@ -30,6 +30,7 @@ pub mod ladder;
 pub mod local_areas;
 mod look_ahead;
 pub mod piece;
+mod places;
 pub mod provenance;
 pub mod quality;
 pub mod queue;

@@ -13,7 +13,6 @@
 //! so a million points take minutes.
 
 mod attempt;
-mod places;
 #[cfg(test)]
 mod tests;
 
