@@ -29,8 +29,6 @@ pub struct Experiment {
     pub name: &'static str,
     /// The title of its section.
     pub title: &'static str,
-    /// Whether it takes no more than some seconds without optimisation.
-    pub quick: bool,
     /// Does it.
     pub conduct: fn() -> Result<Section, String>,
 }
@@ -40,35 +38,26 @@ pub const ALL: [Experiment; 7] = [
     Experiment {
         name: "superior",
         title: "Figure 10: Lake Superior in a box",
-        quick: true,
         conduct: superior::figure_10,
     },
     Experiment {
         name: "spokes",
         title: "Figures 11 and 12: twenty spokes",
-        quick: true,
         conduct: spokes::figures_11_and_12,
     },
     Experiment {
         name: "coasts",
         title: "Figures 13 to 15: coasts",
-        quick: true,
         conduct: coasts::figures_13_to_15,
     },
-    Experiment {
-        name: "growth",
-        title: "What a small angle costs",
-        quick: false,
-        conduct: growth::table,
-    },
-    Experiment { name: "rules", title: "Rule against rule", quick: true, conduct: rules::table },
+    Experiment { name: "growth", title: "What a small angle costs", conduct: growth::table },
+    Experiment { name: "rules", title: "Rule against rule", conduct: rules::table },
     Experiment {
         name: "shortest",
         title: "The shortest edge and Corollary 2",
-        quick: true,
         conduct: shortest::table,
     },
-    Experiment { name: "soft", title: "More than 26.45°", quick: true, conduct: soft::table },
+    Experiment { name: "soft", title: "More than 26.45°", conduct: soft::table },
 ];
 
 impl Experiment {
