@@ -4,8 +4,6 @@
 //! what lies below two arcs around them. It is just above these that points do the most: random
 //! places anywhere in the circumdisc, twice as many, are worth a quarter less to thinning.
 
-use std::sync::LazyLock;
-
 /// Where a point stands over the trigger edge: height over it and shift from its middle, in its
 /// lengths.
 pub(super) type Place = [f64; 2];
@@ -29,36 +27,17 @@ impl Spread {
         [least + self.upwards * y * y, shift]
     }
 
-    /// So many places, evenly, from the middle outwards.
-    fn evenly(self, count: u32) -> Vec<Place> {
-        let mut places: Vec<_> = (0..count).map(|i| self.place(spread_evenly(i), 2.0)).collect();
+    /// So many places, evenly, from the middle outwards; no vertex may be nearer than √2 edges.
+    pub fn evenly(self, count: u32) -> Vec<Place> {
+        let mut places: Vec<_> = (0..count).map(|i| self.place(r2(i), 2.0)).collect();
         places.sort_by(|[_, a], [_, b]| a.abs().total_cmp(&b.abs()));
         places
     }
 }
 
-/// How many places look-ahead tries beside the off-center and the circumcenter.
-const EVENLY: u32 = 46;
-
-/// Places for look-ahead.
-///
-/// Choice (points of Superior, boxed, `baltic_like`, 20 000 random segments, 100 000 random points): with
-/// these 778, 1 093, 4 665, 208 639, 184 601; with 30 of them 800, 1 101, 4 729, 211 578, 186 991; with
-/// four rows of nine, up to one edge to the side, 800, 1 112, 4 751, 211 835, 190 757. More than 46 take
-/// more time than they are worth (60: 0.3 % fewer points in another tenth).
-pub(super) static PLACES: LazyLock<Vec<Place>> =
-    LazyLock::new(|| Spread { sideways: 1.1, upwards: 0.7 }.evenly(EVENLY));
-
-/// The same where there is a soft target.
-///
-/// Choice (points of Superior, boxed, `baltic_like` for 33°, and for 34°): with these 1 014, 1 614, 8 280,
-/// and 1 063, 1 714, 9 425; with 60 as without a target 993, 1 635, 8 375, but 1 078, 1 771, 10 490.
-pub(super) static PLACES_WITH_TARGET: LazyLock<Vec<Place>> =
-    LazyLock::new(|| Spread { sideways: 0.6, upwards: 0.3 }.evenly(EVENLY));
-
 /// The R₂ sequence: points that fill the unit square evenly, however many there are (Roberts, *The
 /// Unreasonable Effectiveness of Quasirandom Sequences*, 2018). Its steps are 1/g and 1/g², g³ = g + 1.
-fn spread_evenly(i: u32) -> [f64; 2] {
+fn r2(i: u32) -> [f64; 2] {
     [0.754_877_666_246_692_7, 0.569_840_290_998_053_2]
         .map(|step| (0.5 + step * f64::from(i)).fract())
 }
@@ -69,11 +48,9 @@ mod tests {
 
     #[test]
     fn no_place_is_nearer_to_an_end_than_the_rule_allows() {
-        for places in [&PLACES, &PLACES_WITH_TARGET] {
-            for [height, shift] in places.iter() {
-                let to_end = height.hypot(shift.abs() - 0.5);
-                assert!((2.0_f64.sqrt()..2.3).contains(&to_end), "{to_end}");
-            }
+        for [height, shift] in (Spread { sideways: 1.1, upwards: 0.7 }).evenly(46) {
+            let to_end = height.hypot(shift.abs() - 0.5);
+            assert!((2.0_f64.sqrt()..2.3).contains(&to_end), "{to_end}");
         }
     }
 
@@ -81,7 +58,7 @@ mod tests {
     fn the_places_fill_the_square_evenly() {
         let mut sixteenths = [0; 16];
         for i in 0..160 {
-            let [column, row] = spread_evenly(i).map(|x| (4.0 * x) as usize);
+            let [column, row] = r2(i).map(|x| (4.0 * x) as usize);
             sixteenths[4 * row + column] += 1;
         }
         assert!(sixteenths.iter().all(|count| (7..=13).contains(count)), "{sixteenths:?}");

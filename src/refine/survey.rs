@@ -12,7 +12,7 @@ use crate::predicates::Relative;
 use crate::triangulation::{Edge, Triangulation};
 
 /// So many places are looked at together.
-pub(super) const MOST_PLACES: usize = Set::BITS as usize;
+const MOST_PLACES: usize = Set::BITS as usize;
 /// After so many edges the walk gives up, and no place is proposed: around a vertex of such a degree
 /// no choice would be worth it.
 const MOST_EDGES: usize = 1 << 12;
